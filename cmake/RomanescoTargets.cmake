@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileCopyrightText: Romanesco authors
+
+# One place for what every target is compiled with.
+add_library(romanesco_options INTERFACE)
+target_compile_options(romanesco_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+    # The same bits on every compiler and optimisation level: no fused multiply-add.
+    -ffp-contract=off)
+if(ROMANESCO_WERROR)
+    target_compile_options(romanesco_options INTERFACE -Werror)
+endif()
+target_include_directories(romanesco_options INTERFACE ${PROJECT_SOURCE_DIR})
+
+# romanesco_library(NAME SOURCES file… LINKS target…)
+# A static library, one for each folder. LINKS names the only folders and packages it may include from.
+function(romanesco_library name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+    add_library(${name} STATIC ${ARG_SOURCES})
+    target_link_libraries(${name} PUBLIC romanesco_options ${ARG_LINKS})
+endfunction()

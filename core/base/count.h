@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace romanesco {
+
+/// A natural number of any size: exact up to 10,000 decimal digits, beyond that a mantissa of 50 digits and an
+/// exponent of ten. Sums and products of exact values are exact while they fit; once a value is approximate, so is
+/// all that is made of it. Values only; thread-safe as values are.
+class Count
+{
+public:
+    static constexpr unsigned maximumExactDigits = 10'000;
+
+    Count(std::uint64_t value = 0);
+
+    [[nodiscard]] bool isExact() const;
+    [[nodiscard]] bool isZero() const;
+
+    /// Decimal digits, or "~8.81e646456992" (three significant digits, rounded) where the value is not exact.
+    [[nodiscard]] std::string toString() const;
+
+    /// The decimal logarithm, to double precision; -inf of zero.
+    [[nodiscard]] double log10() const;
+
+    Count &operator+=(const Count &other);
+    Count &operator*=(const Count &other);
+    friend Count operator+(Count a, const Count &b) { return a += b; }
+    friend Count operator*(Count a, const Count &b) { return a *= b; }
+    friend bool operator==(const Count &a, const Count &b) { return a.m_value == b.m_value; }
+
+private:
+    using Integer = boost::multiprecision::cpp_int;
+    using Mantissa = boost::multiprecision::cpp_bin_float_50;
+
+    /// mantissa * 10^exponent, with the mantissa in [1, 10).
+    struct Approximate {
+        Mantissa mantissa;
+        Integer exponent;
+        bool operator==(const Approximate &) const = default;
+    };
+
+    [[nodiscard]] Approximate approximate() const;
+    void assignNormalised(Mantissa mantissa, Integer exponent);
+    void settle();
+
+    std::variant<Integer, Approximate> m_value;
+};
+
+/// base to the power of exponent, by squaring: at most 128 products.
+[[nodiscard]] Count power(Count base, std::uint64_t exponent);
+
+}

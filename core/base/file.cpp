@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "file.h"
+
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace romanesco {
+
+namespace {
+
+class Descriptor
+{
+public:
+    explicit Descriptor(int number)
+        : m_number(number)
+    {
+    }
+    ~Descriptor()
+    {
+        if (m_number >= 0) {
+            ::close(m_number);
+        }
+    }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+    operator int() const { return m_number; }
+
+private:
+    int m_number;
+};
+
+std::unexpected<std::string> failure(int number)
+{
+    switch (number) {
+    case ENOENT:
+        return std::unexpected(std::string("no such file"));
+    case EACCES:
+        return std::unexpected(std::string("permission denied"));
+    case ELOOP:
+        return std::unexpected(std::string("too many symbolic links"));
+    default:
+        return std::unexpected(std::generic_category().message(number));
+    }
+}
+
+}
+
+std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::path &path) const
+{
+    // Without O_NONBLOCK the opening of a pipe would wait for its writer.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file < 0) {
+        return failure(errno);
+    }
+    struct stat status {};
+    if (::fstat(file, &status) != 0) {
+        return failure(errno);
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return std::unexpected("it is a directory");
+    }
+    if (!S_ISREG(status.st_mode)) {
+        return std::unexpected("it is not a regular file");
+    }
+
+    // The size is a hint: a file may grow or shrink while it is read.
+    std::string bytes;
+    std::size_t used = 0;
+    bytes.resize(static_cast<std::size_t>(status.st_size) + 1);
+    while (true) {
+        const ssize_t got = ::read(file, bytes.data() + used, bytes.size() - used);
+        if (got < 0 && errno == EINTR) {
+            continue;
+        }
+        if (got < 0) {
+            return failure(errno);
+        }
+        if (got == 0) {
+            break;
+        }
+        used += static_cast<std::size_t>(got);
+        if (used == bytes.size()) {
+            bytes.resize(bytes.size() * 2);
+        }
+    }
+    bytes.resize(used);
+    return bytes;
+}
+
+}

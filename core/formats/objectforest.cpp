@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "objectforest.h"
+
+#include <cassert>
+#include <limits>
+
+namespace romanesco {
+
+namespace {
+
+Position saturatedSum(Position a, Position b)
+{
+    Position sum = 0;
+    return __builtin_add_overflow(a, b, &sum) ? std::numeric_limits<Position>::max() : sum;
+}
+
+Position saturatedProduct(Position a, Position b)
+{
+    Position product = 0;
+    return __builtin_mul_overflow(a, b, &product) ? std::numeric_limits<Position>::max() : product;
+}
+
+}
+
+std::uint32_t ObjectForest::add(ObjectNode node)
+{
+    const auto index = static_cast<std::uint32_t>(m_nodes.size());
+    node.levels = node.sets.size();
+    if (node.repeated != ObjectNode::none) {
+        node.levels = saturatedSum(node.levels, saturatedProduct(m_nodes[node.repeated].iterationLevels, node.count));
+    }
+    if (node.next != ObjectNode::none) {
+        const ObjectNode &next = m_nodes[node.next];
+        node.levels = saturatedSum(node.levels, next.levels);
+        node.height = next.height + 1;
+
+        // Two equal jumps in a row are joined to one; else a jump of one begins.
+        const bool hasJump = next.jump != ObjectNode::none && m_nodes[next.jump].jump != ObjectNode::none;
+        const bool isEven = hasJump
+            && next.height - m_nodes[next.jump].height
+                == m_nodes[next.jump].height - m_nodes[m_nodes[next.jump].jump].height;
+        node.jump = isEven ? m_nodes[next.jump].jump : node.next;
+    }
+    if (node.isRecursive && node.base != ObjectNode::none) {
+        node.iterationLevels = node.levels - m_nodes[node.base].levels;
+    }
+    m_nodes.push_back(std::move(node));
+    return index;
+}
+
+bool ObjectForest::standsOn(std::uint32_t node, std::uint32_t below) const
+{
+    const std::uint32_t height = m_nodes[below].height;
+    while (m_nodes[node].height > height) {
+        const std::uint32_t jump = m_nodes[node].jump;
+        node = m_nodes[jump].height >= height ? jump : m_nodes[node].next;
+    }
+    return node == below;
+}
+
+std::string ObjectForest::chain(std::uint32_t node) const
+{
+    constexpr std::uint32_t shownAtTop = 4;
+    std::string text;
+    std::uint32_t shown = 0;
+    while (node != ObjectNode::none) {
+        const ObjectNode &at = m_nodes[node];
+        text += text.empty() ? "" : " → ";
+        if (shown == shownAtTop && at.height > 2) {
+            text += "…";
+            while (m_nodes[node].height > 1) {
+                node = m_nodes[node].next;
+            }
+            shown = 0;
+            continue;
+        }
+        text += at.name;
+        if (!at.meshPath.empty()) {
+            text += " → \"" + std::string(at.meshPath) + '"';
+        }
+        ++shown;
+        node = at.next;
+    }
+    return text;
+}
+
+void ObjectForest::writeLevels(std::uint32_t node, LevelSequence::Builder &builder) const
+{
+    // A frame stands on the node that ends it: the mesh for the outermost, a recursive's base inside a repeat.
+    struct Frame {
+        std::uint32_t node;
+        std::uint32_t end;
+    };
+    std::vector<Frame> frames{{node, ObjectNode::none}};
+    while (!frames.empty()) {
+        Frame &frame = frames.back();
+        if (frame.node == frame.end) {
+            frames.pop_back();
+            if (!frames.empty()) {
+                builder.endRepeat();
+            }
+            continue;
+        }
+        const ObjectNode &at = m_nodes[frame.node];
+        assert(!at.isBad && "only good objects have levels");
+        for (const SetId set : at.sets) {
+            builder.addLevel(set);
+        }
+        frame.node = at.next;
+        if (at.repeated != ObjectNode::none && at.count > 0 && m_nodes[at.repeated].iterationLevels > 0) {
+            builder.beginRepeat(at.count);
+            frames.push_back({at.repeated, m_nodes[at.repeated].base});
+        }
+    }
+}
+
+const ObjectNode &ObjectForest::mesh(std::uint32_t node) const
+{
+    while (m_nodes[node].next != ObjectNode::none) {
+        node = m_nodes[node].next;
+    }
+    return m_nodes[node];
+}
+
+}

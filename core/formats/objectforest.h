@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text/sourcerange.h"
+#include "levelsequence.h"
+
+namespace romanesco {
+
+/// Objects and recursives as they are built on one another. Each stands on at most one other by name (through an
+/// assignment, its sets, or `w n`, which stands on w's base), so they are the nodes of a forest.
+struct ObjectNode {
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    std::string_view name;
+    SourceRange nameRange;
+    bool isRecursive = false;
+    bool isBad = false;
+
+    /// Own sets, outermost first; then a mesh, or `repeated` n times, or nothing between them and `next`.
+    std::vector<SetId> sets;
+    std::string_view meshPath;
+    SourceRange meshRange;
+    std::uint32_t repeated = none;
+    std::uint64_t count = 0;
+    SourceRange countRange;
+
+    /// What it stands on by name.
+    std::uint32_t next = none;
+    /// For a recursive, its base.
+    std::uint32_t base = none;
+
+    /// Number of nodes below, and one of them far below: looking for a node takes a logarithm of steps
+    /// (Myers 1983, an applicative random-access stack).
+    std::uint32_t height = 0;
+    std::uint32_t jump = none;
+    /// Levels from here to the mesh, held at the greatest value where there are more.
+    Position levels = 0;
+    /// For a recursive, levels of one iteration.
+    Position iterationLevels = 0;
+};
+
+class ObjectForest
+{
+public:
+    [[nodiscard]] const ObjectNode &operator[](std::uint32_t index) const { return m_nodes[index]; }
+
+    /// Adds a node whose sets, inner part and next are filled in, and works out the rest.
+    std::uint32_t add(ObjectNode node);
+
+    /// Whether `below` is `node` itself or stands under it.
+    [[nodiscard]] bool standsOn(std::uint32_t node, std::uint32_t below) const;
+
+    /// "y → k → a", from the node down to its mesh, shortened in the middle.
+    [[nodiscard]] std::string chain(std::uint32_t node) const;
+
+    /// All levels from the node down to its mesh. Iterative; cost linear in the nodes passed.
+    /// Precondition: node.levels is not held at the greatest value.
+    void writeLevels(std::uint32_t node, LevelSequence::Builder &builder) const;
+
+    /// The node that holds the mesh under a node.
+    [[nodiscard]] const ObjectNode &mesh(std::uint32_t node) const;
+
+private:
+    std::vector<ObjectNode> m_nodes;
+};
+
+}

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "extent.h"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+#include <glm/geometric.hpp>
+
+#include "statetable.h"
+
+namespace romanesco {
+
+namespace {
+
+/// A copy of a state, or (where isLeaf) of the base mesh, with the farthest that it can reach.
+struct Candidate {
+    double reach;
+    StateId state;
+    bool isLeaf;
+    AffineMap map;
+    double norm;
+
+    bool operator<(const Candidate &other) const { return reach < other.reach; }
+};
+
+double reachOfMesh(const AffineMap &map, const Mesh &mesh, const glm::dvec3 &direction)
+{
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const auto &face : mesh.faces) {
+        for (const std::uint32_t index : face) {
+            reach = std::max(reach, glm::dot(direction, map(mesh.vertices[index])));
+        }
+    }
+    return reach;
+}
+
+double reachOfSphere(const Sphere &sphere, const glm::dvec3 &direction)
+{
+    return glm::dot(direction, sphere.centre) + sphere.radius;
+}
+
+/// The greatest reach along a unit vector, or an upper bound of it.
+double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &direction, std::size_t budget)
+{
+    std::priority_queue<Candidate> open;
+    const double whole = reachOfSphere(table.state(table.root()).bound, direction);
+    open.push({whole, table.root(), false, {}, 1.0});
+    while (!open.top().isLeaf && budget-- > 0) {
+        const Candidate parent = open.top();
+        open.pop();
+        const Expansion &expansion = table.expansion(parent.state);
+        if (expansion.hasLeaf) {
+            open.push({reachOfMesh(parent.map, mesh, direction), parent.state, true, parent.map, parent.norm});
+        }
+        std::size_t child = 0;
+        for (const ChildRange &range : expansion.ranges) {
+            for (std::uint32_t i = range.firstMap; i < range.endMap; ++i, ++child) {
+                const Sphere bound = transformed(parent.map, parent.norm, expansion.bounds[child]);
+                open.push({std::min(parent.reach, reachOfSphere(bound, direction)), range.next, false,
+                           parent.map * table.graph().set(range.set).maps[i],
+                           parent.norm * table.graph().norms(range.set)[i]});
+            }
+        }
+    }
+    return open.top().reach;
+}
+
+}
+
+Box extent(const FractalGraph &graph, const Mesh &base, std::size_t budget)
+{
+    if (graph.base().isEmpty()) {
+        return {};
+    }
+    StateTable table(graph);
+    Box box;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 direction(0.0);
+        direction[axis] = 1.0;
+        box.greatest[axis] = greatestReach(table, base, direction, budget);
+        box.least[axis] = -greatestReach(table, base, -direction, budget);
+    }
+    return box;
+}
+
+}

@@ -1,0 +1,306 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "spherebounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+namespace romanesco {
+
+namespace {
+
+using Growth = SphereBounds::Growth;
+using Slot = LevelSequence::Slot;
+
+/// A position has a sphere of its own until the levels after it have shrunk the rest to this part of it.
+constexpr double sharedFrom = 1.0 / 128.0;
+/// Never more spheres than these.
+constexpr Position longestContractingTail = 4'096;
+constexpr Position longestTail = 65'536;
+
+Growth composed(const Growth &outer, const Growth &inner)
+{
+    return {outer.factor * inner.factor, outer.factor * inner.offset + outer.offset};
+}
+
+Growth power(Growth growth, std::uint64_t exponent)
+{
+    Growth result;
+    for (; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) {
+            result = composed(result, growth);
+        }
+        growth = composed(growth, growth);
+    }
+    return result;
+}
+
+double reachOf(const Sphere &sphere)
+{
+    return glm::length(sphere.centre) + sphere.radius;
+}
+
+}
+
+class SphereBounds::Builder
+{
+public:
+    Builder(const LevelSequence &levels, const std::vector<TransformSet> &sets,
+            const std::vector<std::vector<double>> &norms, const Sphere &base)
+        : m_levels(levels)
+        , m_sets(sets)
+        , m_norms(norms)
+        , m_base(base)
+    {
+    }
+
+    SphereBounds build()
+    {
+        m_bounds.m_tail.front() = m_base;
+        const Position count = m_levels.levelCount();
+        const Position own = contractingTail();
+        const bool hasInvariant = own < std::min(count, longestContractingTail) && findInvariant();
+        buildTail(hasInvariant ? own : std::min(count, longestTail));
+        if (!hasInvariant) {
+            m_bounds.m_invariant.clear();
+            if (count > longestTail) {
+                buildGrowth();
+            }
+        }
+        return std::move(m_bounds);
+    }
+
+private:
+    const TransformSet &setAt(Slot slot) const { return m_sets[m_levels.set(slot)]; }
+    const std::vector<double> &normsAt(Slot slot) const { return m_norms[m_levels.set(slot)]; }
+
+    double largestNorm(Slot slot) const
+    {
+        const std::vector<double> &norms = normsAt(slot);
+        return norms.empty() ? 1.0 : *std::ranges::max_element(norms);
+    }
+
+    /// How many levels at the end keep spheres of their own.
+    Position contractingTail() const
+    {
+        const Position count = m_levels.levelCount();
+        double size = 1.0;
+        Position remaining = 0;
+        while (remaining < count && remaining < longestContractingTail && size > sharedFrom) {
+            ++remaining;
+            size *= largestNorm(m_levels.locate(count - remaining).slot);
+        }
+        return remaining;
+    }
+
+    /// A sphere round the maps of a level applied to the sphere after it.
+    Sphere oneLevelUp(Slot slot, const Sphere &next)
+    {
+        const TransformSet &set = setAt(slot);
+        const std::vector<double> &norms = normsAt(slot);
+        m_spheres.clear();
+        for (std::size_t i = 0; i < set.maps.size(); ++i) {
+            m_spheres.push_back(transformed(set.maps[i], norms[i], next));
+        }
+        if (set.holdsIdentity) {
+            m_spheres.push_back(next);
+        }
+        return m_spheres.size() == 1 ? m_spheres.front() : enclosingSphere(m_spheres);
+    }
+
+    void buildTail(Position length)
+    {
+        const Position count = m_levels.levelCount();
+        for (Position remaining = 1; remaining <= length; ++remaining) {
+            m_bounds.m_tail.push_back(oneLevelUp(m_levels.locate(count - remaining).slot, m_bounds.m_tail.back()));
+        }
+    }
+
+    // ---- The invariant
+
+    const Sphere &sphereAt(Slot slot) const
+    {
+        return slot == m_levels.slotCount() ? m_base : m_bounds.m_invariant[slot];
+    }
+
+    Sphere following(Slot slot) const
+    {
+        const std::vector<Slot> &successors = m_levels.successors(slot);
+        if (successors.size() == 1) {
+            return sphereAt(successors.front());
+        }
+        std::vector<Sphere> spheres;
+        for (const Slot successor : successors) {
+            spheres.push_back(sphereAt(successor));
+        }
+        return enclosingSphere(spheres);
+    }
+
+    /// Centres by iterating one level up until they settle; radii for those centres by iterating the largest reach;
+    /// then a margin, until the inclusions hold as they stand.
+    bool findInvariant()
+    {
+        std::vector<Sphere> &spheres = m_bounds.m_invariant;
+        spheres.assign(m_levels.slotCount(), m_base);
+        constexpr int rounds = 400;
+        for (int round = 0; round < rounds; ++round) {
+            double change = 0.0;
+            for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
+                const Sphere next = oneLevelUp(slot, following(slot));
+                if (!std::isfinite(next.radius)) {
+                    return false;
+                }
+                change = std::max(change, glm::distance(next.centre, spheres[slot].centre)
+                                              + std::abs(next.radius - spheres[slot].radius));
+                spheres[slot] = next;
+            }
+            if (change <= 1e-3 * spheres.front().radius) {
+                break;
+            }
+        }
+        for (int round = 0; round < rounds; ++round) {
+            double change = 0.0;
+            for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
+                const double radius = neededRadius(slot);
+                change = std::max(change, std::abs(radius - spheres[slot].radius) / radius);
+                spheres[slot].radius = radius;
+            }
+            if (!(change > 1e-6)) {
+                break;
+            }
+        }
+        for (double margin = 1e-5; margin < 2.0; margin *= 4.0) {
+            for (Sphere &sphere : spheres) {
+                sphere.radius *= 1.0 + margin;
+            }
+            if (isInvariant()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    double neededRadius(Slot slot)
+    {
+        const Sphere next = following(slot);
+        const TransformSet &set = setAt(slot);
+        m_spheres.clear();
+        for (std::size_t i = 0; i < set.maps.size(); ++i) {
+            m_spheres.push_back(transformed(set.maps[i], normsAt(slot)[i], next));
+        }
+        if (set.holdsIdentity) {
+            m_spheres.push_back(next);
+        }
+        return enclosingRadius(m_bounds.m_invariant[slot].centre, m_spheres);
+    }
+
+    bool isInvariant() const
+    {
+        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+            const Sphere &outer = m_bounds.m_invariant[slot];
+            const TransformSet &set = setAt(slot);
+            for (const Slot successor : m_levels.successors(slot)) {
+                const Sphere &next = sphereAt(successor);
+                for (std::size_t i = 0; i < set.maps.size(); ++i) {
+                    if (!contains(outer, transformed(set.maps[i], normsAt(slot)[i], next))) {
+                        return false;
+                    }
+                }
+                if (set.holdsIdentity && !contains(outer, next)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    // ---- Growth
+
+    void buildGrowth()
+    {
+        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+            Growth growth{setAt(slot).holdsIdentity ? 1.0 : 0.0, 0.0};
+            for (std::size_t i = 0; i < setAt(slot).maps.size(); ++i) {
+                growth.factor = std::max(growth.factor, normsAt(slot)[i]);
+                growth.offset = std::max(growth.offset, glm::length(setAt(slot).maps[i].translation));
+            }
+            m_bounds.m_slotGrowth.push_back(growth);
+        }
+
+        // Inner repeats have greater numbers than those round them.
+        const std::vector<LevelSequence::Repeat> &repeats = m_levels.repeats();
+        m_bounds.m_passGrowth.resize(repeats.size());
+        for (std::size_t i = repeats.size(); i-- > 0;) {
+            Growth growth;
+            Slot slot = repeats[i].firstSlot;
+            for (const std::uint32_t inner : repeats[i].inner) {
+                for (; slot < repeats[inner].firstSlot; ++slot) {
+                    growth = composed(growth, m_bounds.m_slotGrowth[slot]);
+                }
+                growth = composed(growth, power(m_bounds.m_passGrowth[inner], repeats[inner].count));
+                slot = repeats[inner].endSlot;
+            }
+            for (; slot < repeats[i].endSlot; ++slot) {
+                growth = composed(growth, m_bounds.m_slotGrowth[slot]);
+            }
+            m_bounds.m_passGrowth[i] = growth;
+        }
+    }
+
+    const LevelSequence &m_levels;
+    const std::vector<TransformSet> &m_sets;
+    const std::vector<std::vector<double>> &m_norms;
+    const Sphere m_base;
+    SphereBounds m_bounds;
+    std::vector<Sphere> m_spheres;
+};
+
+SphereBounds::SphereBounds(const LevelSequence &levels, const std::vector<TransformSet> &sets,
+                           const std::vector<std::vector<double>> &norms, const Sphere &base)
+    : SphereBounds(Builder(levels, sets, norms, base).build())
+{
+}
+
+Sphere SphereBounds::at(const LevelSequence &levels, Position position) const
+{
+    const Position remaining = levels.levelCount() - position;
+    if (remaining < m_tail.size()) {
+        return m_tail[remaining];
+    }
+    if (!m_invariant.empty()) {
+        return m_invariant[levels.locate(position).slot];
+    }
+    const Growth growth = growthFrom(levels, position);
+    const double radius = growth.factor * reachOf(base()) + growth.offset;
+    return {glm::dvec3(0.0), std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius * (1.0 + 1e-9)};
+}
+
+/// Walks from a position to the end: slots singly, inner repeats and the passes left of a repeat by powers.
+Growth SphereBounds::growthFrom(const LevelSequence &levels, Position position) const
+{
+    Growth growth;
+    while (position < levels.levelCount()) {
+        const auto [slot, index, end] = levels.locate(position);
+        const LevelSequence::Repeat &repeat = levels.repeats()[index];
+        const Position left = end - position;
+        if (index != 0 && slot == repeat.firstSlot && left % repeat.passLength == 0) {
+            growth = composed(growth, power(m_passGrowth[index], left / repeat.passLength));
+            position = end;
+        } else {
+            growth = composed(growth, m_slotGrowth[slot]);
+            ++position;
+        }
+    }
+    return growth;
+}
+
+std::size_t SphereBounds::memoryUse() const
+{
+    return (m_tail.capacity() + m_invariant.capacity()) * sizeof(Sphere)
+        + (m_slotGrowth.capacity() + m_passGrowth.capacity()) * sizeof(Growth);
+}
+
+}

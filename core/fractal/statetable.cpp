@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "statetable.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace romanesco {
+
+StateTable::StateTable(const FractalGraph &graph)
+    : m_graph(graph)
+{
+    forget();
+}
+
+void StateTable::forget()
+{
+    m_states.clear();
+    m_ids.clear();
+    m_bytes = 0;
+    intern({0});
+}
+
+const Expansion &StateTable::expansion(StateId id)
+{
+    Entry &entry = m_states[id];
+    if (!entry.isExpanded) {
+        expand(entry);
+    }
+    return entry.expansion;
+}
+
+StateId StateTable::intern(std::vector<Position> positions)
+{
+    const auto [known, isNew] = m_ids.try_emplace(std::move(positions), static_cast<StateId>(m_states.size()));
+    if (isNew) {
+        std::vector<Sphere> bounds;
+        for (const Position position : known->first) {
+            bounds.push_back(m_graph.bound(position));
+        }
+        const Sphere bound = bounds.size() == 1 ? bounds.front() : enclosingSphere(bounds);
+        m_states.push_back({{known->first, bound}, {}, false});
+        m_bytes += sizeof(Entry) + 2 * known->first.size() * sizeof(Position) + 4 * sizeof(void *);
+    }
+    return known->second;
+}
+
+/// Keeps of several positions those that are not reached from an earlier one by passing levels over: what can follow
+/// them can follow the earlier one too.
+void StateTable::normalise(std::vector<Position> &positions) const
+{
+    std::ranges::sort(positions);
+    std::vector<Position> kept;
+    Position reached = 0;
+    for (const Position position : positions) {
+        if (!kept.empty() && position <= reached) {
+            continue;
+        }
+        const FractalGraph::Reach reach = m_graph.reach(position);
+        reached = reach.reachesEnd ? m_graph.levels().levelCount() : reach.levels.back().position;
+        kept.push_back(position);
+    }
+    positions = std::move(kept);
+}
+
+void StateTable::expand(Entry &entry)
+{
+    Expansion &expansion = entry.expansion;
+    std::vector<FractalGraph::Reach> reaches;
+    for (const Position position : entry.state.positions) {
+        reaches.push_back(m_graph.reach(position));
+        expansion.hasLeaf = expansion.hasLeaf || reaches.back().reachesEnd;
+    }
+    if (m_graph.setsShareMaps()) {
+        expandShared(reaches, expansion);
+    } else {
+        expandDistinct(reaches.front(), expansion);
+    }
+
+    for (const ChildRange &range : expansion.ranges) {
+        const Sphere bound = state(range.next).bound;
+        for (std::uint32_t map = range.firstMap; map < range.endMap; ++map) {
+            expansion.bounds.push_back(
+                transformed(m_graph.set(range.set).maps[map], m_graph.norms(range.set)[map], bound));
+        }
+    }
+    m_bytes += expansion.ranges.size() * sizeof(ChildRange) + expansion.bounds.size() * sizeof(Sphere);
+    entry.isExpanded = true;
+}
+
+/// Different sets hold different maps: of each set the first occurrence, whole.
+void StateTable::expandDistinct(const FractalGraph::Reach &reach, Expansion &expansion)
+{
+    std::vector<SetId> taken;
+    for (const auto &[position, slot] : reach.levels) {
+        const SetId set = m_graph.levels().set(slot);
+        const SetId canonical = m_graph.canonical(set);
+        const auto size = static_cast<std::uint32_t>(m_graph.set(set).maps.size());
+        if (size != 0 && std::ranges::find(taken, canonical) == taken.end()) {
+            taken.push_back(canonical);
+            expansion.ranges.push_back({set, 0, size, intern({position + 1})});
+        }
+    }
+}
+
+/// A map may occur in several of the levels: one child for each map, whose state is all that may follow it.
+void StateTable::expandShared(std::span<const FractalGraph::Reach> reaches, Expansion &expansion)
+{
+    struct Child {
+        SetId set;
+        std::uint32_t map;
+        std::vector<Position> next;
+    };
+    std::vector<Child> children;
+    std::unordered_map<std::uint32_t, std::size_t> childOfClass;
+    for (const FractalGraph::Reach &reach : reaches) {
+        for (const auto &[position, slot] : reach.levels) {
+            const SetId set = m_graph.levels().set(slot);
+            const std::vector<std::uint32_t> &classes = m_graph.mapClasses(set);
+            for (std::uint32_t map = 0; map < classes.size(); ++map) {
+                const auto [known, isNew] = childOfClass.try_emplace(classes[map], children.size());
+                if (isNew) {
+                    children.push_back({set, map, {}});
+                }
+                children[known->second].next.push_back(position + 1);
+            }
+        }
+    }
+    for (Child &child : children) {
+        if (child.next.size() > 1) {
+            normalise(child.next);
+        }
+        expansion.ranges.push_back({child.set, child.map, child.map + 1, intern(std::move(child.next))});
+    }
+}
+
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "affinemap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "rotation.h"
+
+namespace romanesco {
+
+namespace {
+
+/// The largest eigenvalue of a symmetric matrix by cyclic Jacobi rotations, to a few units in the last place of its
+/// norm (Golub and Van Loan 2013, 8.5). Six sweeps are more than a 3x3 matrix needs; the loop ends when it is diagonal.
+double largestEigenvalue(glm::dmat3 a)
+{
+    for (int sweep = 0; sweep < 16; ++sweep) {
+        const double off = std::abs(a[0][1]) + std::abs(a[0][2]) + std::abs(a[1][2]);
+        const double diagonal = std::abs(a[0][0]) + std::abs(a[1][1]) + std::abs(a[2][2]);
+        if (off <= 1e-17 * diagonal) {
+            break;
+        }
+        for (int p = 0; p < 2; ++p) {
+            for (int q = p + 1; q < 3; ++q) {
+                if (a[p][q] == 0.0) {
+                    continue;
+                }
+                const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+                const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.0));
+                const double c = 1.0 / std::sqrt(t * t + 1.0);
+                glm::dmat3 rotation(1.0);
+                rotation[p][p] = c;
+                rotation[q][q] = c;
+                rotation[p][q] = -t * c;
+                rotation[q][p] = t * c;
+                a = glm::transpose(rotation) * a * rotation;
+            }
+        }
+    }
+    return std::max({a[0][0], a[1][1], a[2][2]});
+}
+
+double largestEntry(const glm::dmat3 &matrix)
+{
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            largest = std::max(largest, std::abs(matrix[column][row]));
+        }
+    }
+    return largest;
+}
+
+}
+
+std::size_t AffineMapHash::operator()(const AffineMap &map) const
+{
+    std::uint64_t hash = 0;
+    const auto mix = [&](const glm::dvec3 &numbers) {
+        for (int i = 0; i < 3; ++i) {
+            hash = (hash ^ std::hash<double>{}(numbers[i])) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 29;
+        }
+    };
+    mix(map.linear[0]);
+    mix(map.linear[1]);
+    mix(map.linear[2]);
+    mix(map.translation);
+    return hash;
+}
+
+AffineMap mapFromParts(const glm::dvec3 &position, const glm::dvec3 &rotation, const glm::dvec3 &scale)
+{
+    glm::dmat3 linear = rotationFromDegrees(rotation);
+    for (int column = 0; column < 3; ++column) {
+        linear[column] *= scale[column];
+    }
+    return {linear, position};
+}
+
+double operatorNorm(const glm::dmat3 &matrix)
+{
+    // Rescaled first, so that squares neither overflow nor vanish.
+    const double scale = largestEntry(matrix);
+    if (scale == 0.0 || !std::isfinite(scale)) {
+        return scale;
+    }
+    const glm::dmat3 scaled = matrix / scale;
+    const double squared = largestEigenvalue(glm::transpose(scaled) * scaled);
+    return scale * std::sqrt(squared) * (1.0 + 1e-14);
+}
+
+bool isSimilarity(const glm::dmat3 &matrix)
+{
+    const double scale = largestEntry(matrix);
+    if (scale == 0.0 || !std::isfinite(scale)) {
+        return false;
+    }
+    const glm::dmat3 scaled = matrix / scale;
+    const glm::dmat3 gram = glm::transpose(scaled) * scaled;
+    const double square = gram[0][0];
+    return largestEntry(gram - glm::dmat3(square)) <= 1e-12 * square;
+}
+
+bool isFinite(const AffineMap &map)
+{
+    return std::isfinite(largestEntry(map.linear)) && std::isfinite(map.translation.x)
+        && std::isfinite(map.translation.y) && std::isfinite(map.translation.z);
+}
+
+}

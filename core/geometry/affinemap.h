@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstddef>
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace romanesco {
+
+/// x ↦ linear·x + translation, in left-handed coordinates (x right, y up, z forward) on column vectors.
+struct AffineMap {
+    glm::dmat3 linear{1.0};
+    glm::dvec3 translation{0.0};
+
+    [[nodiscard]] glm::dvec3 operator()(const glm::dvec3 &point) const { return linear * point + translation; }
+
+    /// outer * inner applies inner first.
+    friend AffineMap operator*(const AffineMap &outer, const AffineMap &inner)
+    {
+        return {outer.linear * inner.linear, outer(inner.translation)};
+    }
+
+    /// All twelve numbers equal. (-0 equals 0.)
+    bool operator==(const AffineMap &) const = default;
+};
+
+struct AffineMapHash {
+    [[nodiscard]] std::size_t operator()(const AffineMap &map) const;
+};
+
+/// The map position + R(rotation)·(scale ∘ x): scale first, then rotation (degrees), then position.
+[[nodiscard]] AffineMap mapFromParts(const glm::dvec3 &position, const glm::dvec3 &rotation, const glm::dvec3 &scale);
+
+/// The operator norm (largest singular value), never below the true value and at most 1e-12 of it above.
+[[nodiscard]] double operatorNorm(const glm::dmat3 &matrix);
+
+/// Whether the matrix is a uniform scale times a rotation or reflection, within 1e-12 of its norm.
+[[nodiscard]] bool isSimilarity(const glm::dmat3 &matrix);
+
+/// No number is infinite or NaN.
+[[nodiscard]] bool isFinite(const AffineMap &map);
+
+}

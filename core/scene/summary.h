@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/count.h"
+#include "scene.h"
+
+namespace romanesco {
+
+/// The numbers that `romanesco info` and the status bar show of a scene.
+struct Summary {
+    std::uint64_t facesPerBase = 0;
+    Position levelCount = 0;
+    /// The sizes of all levels, outermost first, `#` counted; empty beyond 1,000 levels.
+    std::vector<std::uint64_t> levelSizes;
+
+    /// Where the fractal is one iteration repeated round a bare mesh: its levels' sizes multiplied, and the depth.
+    struct Iteration {
+        std::uint64_t transforms;
+        std::uint64_t depth;
+    };
+    std::optional<Iteration> iteration;
+
+    Count instancesAsWritten;
+    /// Nothing where it would take too long (see instancesDistinct()).
+    std::optional<Count> instancesDistinct;
+    Count facesAsWritten;
+
+    /// Whether every map but the identity has an operator norm below 1.
+    bool isContracting = true;
+    /// The least and greatest operator norm of the maps, the identity left out; nothing where there is no map.
+    struct Contraction {
+        double least;
+        double greatest;
+    };
+    std::optional<Contraction> contraction;
+};
+
+[[nodiscard]] Summary summarise(const Scene &scene);
+
+}

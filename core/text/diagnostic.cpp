@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "diagnostic.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <format>
+
+#include "linemap.h"
+
+namespace romanesco {
+
+namespace {
+
+struct Row {
+    std::string_view name;
+    Severity severity;
+    std::string_view words;
+};
+
+constexpr auto table = std::to_array<Row>({
+#define DIAGNOSTIC(code, name, severity, words) {name, Severity::severity, words},
+#include "diagnostics.def"
+#undef DIAGNOSTIC
+});
+
+const Row &row(DiagnosticCode code)
+{
+    return table[static_cast<std::size_t>(code)];
+}
+
+}
+
+std::string_view name(DiagnosticCode code)
+{
+    return row(code).name;
+}
+
+Severity severity(DiagnosticCode code)
+{
+    return row(code).severity;
+}
+
+std::string_view name(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error:
+        return "error";
+    case Severity::Warning:
+        return "warning";
+    case Severity::Hint:
+        break;
+    }
+    return "hint";
+}
+
+std::string Diagnostic::message() const
+{
+    // Arguments come from files and may hold braces: replaced by hand, in one pass, never through a format string.
+    const std::string_view words = row(code).words;
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool isArgument = words[i] == '{' && i + 2 < words.size() && words[i + 2] == '}';
+        if (!isArgument) {
+            text += words[i];
+            continue;
+        }
+        const std::size_t index = static_cast<std::size_t>(words[i + 1] - '0');
+        assert(index < arguments.size() && "a message names an argument that was not given");
+        text += arguments[index];
+        i += 2;
+    }
+    return text;
+}
+
+bool hasErrors(const Diagnostics &diagnostics)
+{
+    return std::ranges::any_of(diagnostics, &Diagnostic::isError);
+}
+
+void sortByPlace(Diagnostics &diagnostics)
+{
+    std::ranges::stable_sort(diagnostics, {}, [](const Diagnostic &d) { return d.range.begin; });
+}
+
+std::string toLine(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines)
+{
+    const TextPosition at = lines.position(diagnostic.range.begin);
+    return std::format("{}:{}:{}: {}: {}", file, at.line, at.column, name(diagnostic.severity()), diagnostic.message());
+}
+
+}

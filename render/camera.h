@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include "core/geometry/box.h"
+
+namespace romanesco {
+
+enum class Projection { Perspective, Orthographic };
+
+/// Where a picture is taken from, in left-handed world coordinates.
+struct Camera {
+    glm::dvec3 position{0.0, 0.0, -1.0};
+    /// Columns right, up, forward; a rotation.
+    glm::dmat3 worldFromCamera{1.0};
+    Projection projection = Projection::Perspective;
+    /// Perspective: the vertical angle of view in degrees, between 0 and 180.
+    double fieldOfView = 60.0;
+    /// Orthographic: the height of the view in world units.
+    double viewHeight = 2.0;
+};
+
+/// A camera that looks along forward with up upwards (any vectors that are not parallel).
+[[nodiscard]] glm::dmat3 rotationLooking(const glm::dvec3 &forward, const glm::dvec3 &up = {0.0, 1.0, 0.0});
+
+/// The view that the program starts with: the whole box, seen from the direction (1, 0.8, -1.2). aspect is width by
+/// height.
+[[nodiscard]] Camera fittedCamera(const Box &box, double aspect);
+
+/// The same camera moved back or forth (or, orthographic, widened) and sideways until the whole box is in the view with
+/// a margin of 5 %.
+[[nodiscard]] Camera fittedCamera(Camera camera, const Box &box, double aspect);
+
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "camera.h"
+
+namespace romanesco {
+
+/// A camera moved by hand about a pivot: orbit, pan, zoom to the pointer, fit. Pointer positions are fractions of the
+/// view's height from its middle, x right and y up (so the top edge is y = 0.5).
+class OrbitCamera
+{
+public:
+    /// Looks at the whole box; the box's middle becomes the pivot.
+    void fit(const Box &box, double aspect);
+    /// The same direction, the whole box in view.
+    void refit(const Box &box, double aspect);
+
+    /// Turns about the pivot; a full view's height of movement is half a turn. Pitch stays within ±90 degrees.
+    void orbit(const glm::dvec2 &movement);
+    /// Moves with the pointer, so that the pivot's plane stays under it.
+    void pan(const glm::dvec2 &movement);
+    /// Moves towards (factor < 1) or away from the point of the pivot's plane under the pointer.
+    void zoom(double factor, const glm::dvec2 &pointer);
+    /// Perspective and orthographic, the pivot's plane kept at its size.
+    void setProjection(Projection projection);
+
+    [[nodiscard]] const Camera &camera() const { return m_camera; }
+    [[nodiscard]] const glm::dvec3 &pivot() const { return m_pivot; }
+
+private:
+    [[nodiscard]] double distance() const;
+    /// Height of the pivot's plane that is in view.
+    [[nodiscard]] double planeHeight() const;
+
+    Camera m_camera;
+    glm::dvec3 m_pivot{0.0};
+    double m_yaw = 0.0;
+    double m_pitch = 0.0;
+};
+
+}
