@@ -13,10 +13,13 @@ namespace romanesco {
 class OrbitCamera
 {
 public:
-    /// Looks at the whole box; the box's middle becomes the pivot.
-    void fit(const Box &box, double aspect);
-    /// The same direction, the whole box in view.
-    void refit(const Box &box, double aspect);
+    /// Looks at the whole scene from the direction that the program starts with.
+    void fit(const Scene &scene, double aspect);
+    /// The same direction, the whole scene in view.
+    void refit(const Scene &scene, double aspect);
+
+    /// Looks at the pivot in the given direction: yaw from forward (z) to the right (x), pitch upwards.
+    void look(double yawDegrees, double pitchDegrees);
 
     /// Turns about the pivot; a full view's height of movement is half a turn. Pitch stays within ±90 degrees.
     void orbit(const glm::dvec2 &movement);
@@ -32,6 +35,7 @@ public:
 
 private:
     [[nodiscard]] double distance() const;
+    void setDirection(double yaw, double pitch);
     /// Height of the pivot's plane that is in view.
     [[nodiscard]] double planeHeight() const;
 

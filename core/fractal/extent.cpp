@@ -38,10 +38,9 @@ double reachOfMesh(const AffineMap &map, const Mesh &mesh, const glm::dvec3 &dir
 
 double reachOfSphere(const Sphere &sphere, const glm::dvec3 &direction)
 {
-    return glm::dot(direction, sphere.centre) + sphere.radius;
+    return glm::dot(direction, sphere.centre) + glm::length(direction) * sphere.radius;
 }
 
-/// The greatest reach along a unit vector, or an upper bound of it.
 double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &direction, std::size_t budget)
 {
     std::priority_queue<Candidate> open;
@@ -67,6 +66,13 @@ double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &dire
     return open.top().reach;
 }
 
+}
+
+double reachAlong(const FractalGraph &graph, const Mesh &base, const glm::dvec3 &direction, std::size_t budget)
+{
+    StateTable table(graph);
+    return graph.base().isEmpty() ? -std::numeric_limits<double>::infinity()
+                                  : greatestReach(table, base, direction, budget);
 }
 
 Box extent(const FractalGraph &graph, const Mesh &base, std::size_t budget)

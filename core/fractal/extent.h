@@ -10,9 +10,14 @@
 
 namespace romanesco {
 
-/// A box that holds the whole fractal, each side within a few per cent of the least that does: for each of the six
-/// directions a best-first search for the greatest reach, over the states' spheres, which ends with the answer or after
-/// `budget` states with the largest bound that is left. Empty (all zero) for a mesh without faces.
+/// How far the fractal reaches along a direction u: the greatest u·x of its points x, or a few per cent of its size more.
+/// A best-first search over the states' spheres, which ends with the answer or after `budget` states with the largest
+/// bound that is left. -inf for a mesh without faces.
+[[nodiscard]] double reachAlong(const FractalGraph &graph, const Mesh &base, const glm::dvec3 &direction,
+                                std::size_t budget = 4'000);
+
+/// A box that holds the whole fractal, each side reached as reachAlong() tells. Empty (all zero) for a mesh without
+/// faces.
 [[nodiscard]] Box extent(const FractalGraph &graph, const Mesh &base, std::size_t budget = 4'000);
 
 }

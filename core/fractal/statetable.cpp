@@ -18,7 +18,7 @@ void StateTable::forget()
     m_states.clear();
     m_ids.clear();
     m_bytes = 0;
-    intern({0});
+    find({0});
 }
 
 const Expansion &StateTable::expansion(StateId id)
@@ -30,7 +30,7 @@ const Expansion &StateTable::expansion(StateId id)
     return entry.expansion;
 }
 
-StateId StateTable::intern(std::vector<Position> positions)
+StateId StateTable::find(std::vector<Position> positions)
 {
     const auto [known, isNew] = m_ids.try_emplace(std::move(positions), static_cast<StateId>(m_states.size()));
     if (isNew) {
@@ -98,7 +98,7 @@ void StateTable::expandDistinct(const FractalGraph::Reach &reach, Expansion &exp
         const auto size = static_cast<std::uint32_t>(m_graph.set(set).maps.size());
         if (size != 0 && std::ranges::find(taken, canonical) == taken.end()) {
             taken.push_back(canonical);
-            expansion.ranges.push_back({set, 0, size, intern({position + 1})});
+            expansion.ranges.push_back({set, 0, size, find({position + 1})});
         }
     }
 }
@@ -130,7 +130,7 @@ void StateTable::expandShared(std::span<const FractalGraph::Reach> reaches, Expa
         if (child.next.size() > 1) {
             normalise(child.next);
         }
-        expansion.ranges.push_back({child.set, child.map, child.map + 1, intern(std::move(child.next))});
+        expansion.ranges.push_back({child.set, child.map, child.map + 1, find(std::move(child.next))});
     }
 }
 

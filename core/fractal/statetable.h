@@ -54,6 +54,9 @@ public:
     /// Expanded on the first call. References stay valid until forget().
     const Expansion &expansion(StateId id);
 
+    /// The state with these positions, which must be as State describes; made if it is new.
+    StateId find(std::vector<Position> positions);
+
     [[nodiscard]] std::size_t stateCount() const { return m_states.size(); }
     [[nodiscard]] std::size_t memoryUse() const { return m_bytes; }
 
@@ -67,7 +70,6 @@ private:
         bool isExpanded = false;
     };
 
-    StateId intern(std::vector<Position> positions);
     void normalise(std::vector<Position> &positions) const;
     void expand(Entry &entry);
     void expandDistinct(const FractalGraph::Reach &reach, Expansion &expansion);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "commandline.h"
+
+#include <algorithm>
+#include <array>
+
+namespace romanesco::cli {
+
+namespace {
+
+constexpr std::array commands = {
+    Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal", runInfo},
+    Command{"render", "FILE -o OUT.png [--size WxH] [--depth N] …", "draw one picture, without a display", runRender},
+};
+
+}
+
+const Command *findCommand(const QString &name)
+{
+    const auto found = std::ranges::find_if(commands, [&](const Command &c) { return name == QLatin1String(c.name); });
+    return found == commands.end() ? nullptr : &*found;
+}
+
+QString helpText()
+{
+    QString text = QStringLiteral("romanesco [FILE…]\n"
+                                  "    edit fractals (.fdo) and look at meshes (.obj) in a window\n");
+    for (const Command &command : commands) {
+        text += QStringLiteral("romanesco %1 %2\n    %3\n")
+                    .arg(QString::fromUtf8(command.name), QString::fromUtf8(command.synopsis),
+                         QString::fromUtf8(command.summary));
+    }
+    text += QStringLiteral("romanesco COMMAND --help\n    all options of a command\n"
+                           "romanesco --version\n\n"
+                           "Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 the work could not be done.\n");
+    return text;
+}
+
+}

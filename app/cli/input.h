@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <string>
+
+#include <QString>
+
+#include "core/scene/scene.h"
+
+class QCommandLineOption;
+class QCommandLineParser;
+
+namespace romanesco::cli {
+
+/// A scene from the command line, with what belongs to its file.
+struct Input {
+    std::shared_ptr<const Scene> scene;
+    std::size_t sourceBytes = 0;
+};
+
+[[nodiscard]] QCommandLineOption depthOption();
+
+/// Parses a command's arguments, `--help` and the one FILE included. The error is an exit status; what has to be said
+/// is said (help on stdout, mistakes on stderr).
+[[nodiscard]] std::expected<QString, int> parseArguments(QCommandLineParser &parser, const char *command,
+                                                         const QStringList &arguments);
+
+/// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's. Errors and warnings go to
+/// stderr as FILE:LINE:COL; the error is an exit status.
+[[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser);
+
+}

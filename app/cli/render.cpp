@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "commandline.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <QBuffer>
+#include <QColor>
+#include <QCommandLineParser>
+#include <QImage>
+#include <QRegularExpression>
+
+#include "input.h"
+#include "output.h"
+#include "render/headless/eglcontext.h"
+#include "render/renderer.h"
+
+namespace romanesco::cli {
+
+namespace {
+
+constexpr int largestSide = 16'384;
+constexpr int mostSamples = 4'096;
+
+struct Options {
+    QCommandLineOption output{{QStringLiteral("o"), QStringLiteral("output")},
+                              QStringLiteral("The picture to write; - is stdout."), QStringLiteral("OUT.png")};
+    QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Width and height in pixels (1280x720)."),
+                            QStringLiteral("WxH"), QStringLiteral("1280x720")};
+    QCommandLineOption tolerance{QStringLiteral("pixel-tolerance"),
+                                 QStringLiteral("Copies smaller than this many pixels are drawn as one (1); "
+                                                "0 draws every instance."),
+                                 QStringLiteral("T"), QStringLiteral("1")};
+    QCommandLineOption samples{QStringLiteral("samples"),
+                               QStringLiteral("Samples a pixel (8); 1 is exactly the pixel centre."),
+                               QStringLiteral("N"), QStringLiteral("8")};
+    QCommandLineOption background{QStringLiteral("background"),
+                                  QStringLiteral("A colour for the background, in place of a dark gradient."),
+                                  QStringLiteral("#RRGGBB")};
+    QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
+};
+
+/// The view that the options ask for, without its camera; complains where they make no sense.
+std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Options &options)
+{
+    View view;
+    static const QRegularExpression sizePattern(QStringLiteral("^([1-9][0-9]{0,5})x([1-9][0-9]{0,5})$"));
+    const QRegularExpressionMatch size = sizePattern.match(parser.value(options.size));
+    view.width = size.captured(1).toInt();
+    view.height = size.captured(2).toInt();
+    if (!size.hasMatch() || std::max(view.width, view.height) > largestSide) {
+        complain(QStringLiteral("--size takes WIDTHxHEIGHT, each up to %1, not \"%2\"")
+                     .arg(largestSide)
+                     .arg(parser.value(options.size)));
+        return std::nullopt;
+    }
+    bool isNumber = false;
+    view.pixelTolerance = parser.value(options.tolerance).toDouble(&isNumber);
+    if (!isNumber || !(view.pixelTolerance >= 0.0 && view.pixelTolerance <= largestSide)) {
+        complain(QStringLiteral("--pixel-tolerance takes a number of pixels from 0, not \"%1\"")
+                     .arg(parser.value(options.tolerance)));
+        return std::nullopt;
+    }
+    view.samples = parser.value(options.samples).toInt(&isNumber);
+    if (!isNumber || view.samples < 1 || view.samples > mostSamples) {
+        complain(QStringLiteral("--samples takes a whole number from 1 to %1, not \"%2\"")
+                     .arg(mostSamples)
+                     .arg(parser.value(options.samples)));
+        return std::nullopt;
+    }
+    if (parser.isSet(options.background)) {
+        static const QRegularExpression colourPattern(QStringLiteral("^#[0-9A-Fa-f]{6}$"));
+        const QString text = parser.value(options.background);
+        if (!colourPattern.match(text).hasMatch()) {
+            complain(QStringLiteral("--background takes a colour as #RRGGBB, not \"%1\"").arg(text));
+            return std::nullopt;
+        }
+        const QColor colour(text);
+        view.backgroundTop = {colour.redF(), colour.greenF(), colour.blueF()};
+        view.backgroundBottom = view.backgroundTop;
+    }
+    return view;
+}
+
+/// The picture, or an exit status after a complaint.
+std::expected<Picture, int> draw(const std::shared_ptr<const Scene> &scene, const View &view, bool isQuiet)
+{
+    const auto fail = [](const std::string &words) {
+        complain(QString::fromStdString(words));
+        return std::unexpected(CannotDo);
+    };
+    const auto context = EglContext::create();
+    if (!context) {
+        return fail(context.error());
+    }
+    const auto renderer = Renderer::create();
+    if (!renderer) {
+        return fail(renderer.error());
+    }
+    catchCancel();
+    Progress progress(isQuiet);
+    (*renderer)->setScene(scene);
+    (*renderer)->begin(view);
+    while (!(*renderer)->step(std::chrono::milliseconds(100))) {
+        if (isCancelled()) {
+            return fail("cancelled");
+        }
+        progress.show(QStringLiteral("drawing: %1 of %2 samples").arg((*renderer)->finishedSamples()).arg(view.samples));
+    }
+    if (!(*renderer)->error().empty()) {
+        return fail((*renderer)->error());
+    }
+    return (*renderer)->read();
+}
+
+QByteArray png(const Picture &picture)
+{
+    const QImage image(picture.pixels.data(), picture.width, picture.height, picture.width * 3, QImage::Format_RGB888);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+}
+
+int runRender(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(QStringLiteral("Draws one picture of a fractal, without a display."));
+    const Options options;
+    parser.addOptions({options.output, options.size, depthOption(), options.tolerance, options.samples,
+                       options.background, options.quiet});
+    const auto file = parseArguments(parser, "render", arguments);
+    if (!file) {
+        return file.error();
+    }
+    if (!parser.isSet(options.output)) {
+        complain(QStringLiteral("render needs -o OUT.png"));
+        return WrongUsage;
+    }
+    std::optional<View> view = viewFromOptions(parser, options);
+    if (!view) {
+        return WrongUsage;
+    }
+    const auto input = readInput(*file, parser);
+    if (!input) {
+        return input.error();
+    }
+    view->camera = fittedCamera(*input->scene, double(view->width) / view->height);
+    const auto picture = draw(input->scene, *view, parser.isSet(options.quiet));
+    if (!picture) {
+        return picture.error();
+    }
+    return writeWhole(parser.value(options.output), png(*picture)) ? Done : CannotDo;
+}
+
+}

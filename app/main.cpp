@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <cstdio>
+#include <print>
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QSurfaceFormat>
+
+#include "cli/commandline.h"
+#include "cli/output.h"
+#include "window/mainwindow.h"
+
+namespace {
+
+using namespace romanesco;
+
+/// A platform that needs nothing and shows nothing: reached only where the ones before it fail.
+constexpr auto lastPlatform = "minimal";
+
+/// Qt aborts where it finds no display. A list of platforms that ends with one that always works lets the program say
+/// what is wrong instead.
+void choosePlatforms()
+{
+    QByteArray platforms = qgetenv("QT_QPA_PLATFORM");
+    if (platforms.isEmpty()) {
+        platforms = qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ? "xcb" : "wayland;xcb";
+    }
+    qputenv("QT_QPA_PLATFORM", platforms + ';' + lastPlatform);
+}
+
+bool hasDisplay()
+{
+    return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")
+        || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+}
+
+int runEditor(int argc, char *argv[], const QStringList &files)
+{
+    constexpr auto noDisplay = "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY). "
+                               "Without one, \"romanesco render FILE -o OUT.png\" draws a picture";
+    if (!hasDisplay()) {
+        cli::complain(QLatin1String(noDisplay));
+        return cli::CannotDo;
+    }
+    choosePlatforms();
+    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+    format.setVersion(4, 5);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    // Without it a dock that is torn off would lose the viewport's context.
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    if (QApplication::platformName() == QLatin1String(lastPlatform)) {
+        cli::complain(QLatin1String(noDisplay));
+        return cli::CannotDo;
+    }
+
+    MainWindow window;
+    const bool isOpen = !files.isEmpty() && window.openFile(files.constFirst());
+    if (!isOpen) {
+        window.openExample();
+    }
+    window.show();
+    return QApplication::exec();
+}
+
+int usageError(const QString &words)
+{
+    cli::complain(words + QStringLiteral("; \"romanesco --help\" lists what there is"));
+    return cli::WrongUsage;
+}
+
+}
+
+int main(int argc, char *argv[])
+{
+    QCoreApplication::setApplicationName(QStringLiteral("romanesco"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(ROMANESCO_VERSION));
+    QGuiApplication::setApplicationDisplayName(QStringLiteral("Romanesco"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("romanesco"));
+
+    QStringList arguments;
+    for (int i = 1; i < argc; ++i) {
+        arguments << QFile::decodeName(argv[i]);
+    }
+    if (arguments.isEmpty()) {
+        return runEditor(argc, argv, {});
+    }
+    const QString first = arguments.takeFirst();
+    if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
+        std::print("{}", cli::helpText().toStdString());
+        return cli::Done;
+    }
+    if (first == QLatin1String("--version")) {
+        std::println("romanesco {}", ROMANESCO_VERSION);
+        return cli::Done;
+    }
+    if (const cli::Command *command = cli::findCommand(first)) {
+        return command->run(arguments);
+    }
+    if (first.startsWith(QLatin1Char('-'))) {
+        return usageError(QStringLiteral("unknown option %1").arg(first));
+    }
+    const bool looksLikeFile = first.contains(QLatin1Char('.')) || first.contains(QLatin1Char('/'));
+    if (!looksLikeFile && !QFileInfo::exists(first)) {
+        return usageError(QStringLiteral("%1 is neither a command nor a file").arg(first));
+    }
+    return runEditor(argc, argv, QStringList{first} + arguments);
+}

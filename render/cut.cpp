@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace romanesco {
+
+namespace {
+
+/// Above this many states the table is emptied and the few on the way down are made anew.
+constexpr std::size_t mostStates = 50'000;
+
+constexpr unsigned allPlanes = 0b11111;
+
+/// An upper bound of the operator norm at the price of nine products.
+double frobeniusNorm(const glm::dmat3 &matrix)
+{
+    return std::sqrt(glm::dot(matrix[0], matrix[0]) + glm::dot(matrix[1], matrix[1]) + glm::dot(matrix[2], matrix[2]));
+}
+
+}
+
+Projector::Projector(const Camera &camera, const Scene &scene, int width, int height)
+    : projection(camera.projection)
+{
+    const double size = glm::length(scene.extent.size());
+    const double distance = glm::distance(camera.position, scene.extent.centre());
+    unit = std::max({size, distance, std::numeric_limits<double>::min()});
+    cameraFromWorld.linear = glm::transpose(camera.worldFromCamera) / unit;
+    cameraFromWorld.translation = -(cameraFromWorld.linear * camera.position);
+    near = 1e-5;
+    range = (distance + size) / unit;
+    const bool isPerspective = projection == Projection::Perspective;
+    scaleY = isPerspective ? 1.0 / std::tan(0.5 * camera.fieldOfView * std::numbers::pi / 180.0)
+                           : 2.0 * unit / camera.viewHeight;
+    scaleX = scaleY * height / width;
+    pixels = 0.5 * scaleY * height;
+}
+
+Cut::Cut(const Scene &scene)
+    : m_scene(scene)
+    , m_table(scene.graph)
+    , m_projector({}, scene, 1, 1)
+{
+}
+
+void Cut::begin(const Projector &projector, double pixelTolerance)
+{
+    m_projector = projector;
+    m_tolerance = pixelTolerance;
+    m_instances = 0;
+    m_visited = 0;
+    m_memory = 0;
+    m_open.clear();
+    m_ready.clear();
+    m_handedOut = false;
+
+    // |x| <= z / scaleX for perspective, |x| <= 1 / scaleX for orthographic, and so for y; z >= near.
+    const bool isPerspective = projector.projection == Projection::Perspective;
+    const auto side = [&](glm::dvec3 inwards, double scale) {
+        return isPerspective ? Plane{glm::normalize(inwards * scale + glm::dvec3(0, 0, 1)), 0.0}
+                             : Plane{inwards, 1.0 / scale};
+    };
+    m_planes = {side({1, 0, 0}, projector.scaleX), side({-1, 0, 0}, projector.scaleX),
+                side({0, 1, 0}, projector.scaleY), side({0, -1, 0}, projector.scaleY),
+                isPerspective ? Plane{{0, 0, 1}, -projector.near} : Plane{{0, 0, 1}, projector.range}};
+
+    const Sphere &base = m_scene.graph.base();
+    if (base.isEmpty()) {
+        return;
+    }
+    const double norm = 1.0 / projector.unit;
+    const Node root{m_table.root(), allPlanes, projector.cameraFromWorld, norm};
+    const Sphere bound = transformed(root.map, norm, m_table.state(root.state).bound);
+    unsigned planes = allPlanes;
+    if (isOutside(bound, planes)) {
+        return;
+    }
+    if (isSmall(bound)) {
+        emit(root.map, root.state, false);
+    } else {
+        m_open.push_back({root.state, planes, root.map, norm});
+    }
+}
+
+const std::vector<Instance> &Cut::next(std::size_t count)
+{
+    if (m_handedOut) {
+        m_ready.clear();
+    }
+    while (!m_open.empty() && m_ready.size() < count) {
+        const Node node = m_open.back();
+        m_open.pop_back();
+        visit(node);
+        if (m_table.stateCount() > mostStates) {
+            forgetStates();
+        }
+    }
+    m_handedOut = true;
+    m_instances += m_ready.size();
+    m_memory = std::max(m_memory, m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance)
+                                      + m_table.memoryUse());
+    return m_ready;
+}
+
+void Cut::visit(const Node &node)
+{
+    ++m_visited;
+    const Expansion &expansion = m_table.expansion(node.state);
+    if (expansion.hasLeaf) {
+        emit(node.map, node.state, true);
+    }
+    std::size_t child = 0;
+    for (const ChildRange &range : expansion.ranges) {
+        for (std::uint32_t map = range.firstMap; map < range.endMap; ++map, ++child) {
+            addChild(node, range, map, expansion.bounds[child]);
+        }
+    }
+}
+
+/// The child's bound is tested before its map is composed: most children are out of view or small.
+void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound)
+{
+    const Sphere seen{node.map(bound.centre), node.norm * bound.radius};
+    unsigned planes = node.planes;
+    if (isOutside(seen, planes)) {
+        return;
+    }
+    const FractalGraph &graph = m_scene.graph;
+    const AffineMap composed = node.map * graph.set(range.set).maps[map];
+    if (isSmall(seen)) {
+        emit(composed, range.next, false);
+        return;
+    }
+    const double norm = std::min(node.norm * graph.norms(range.set)[map], frobeniusNorm(composed.linear));
+    m_open.push_back({range.next, planes, composed, norm});
+}
+
+/// Of the base mesh, moved to the unit sphere. Where it stands for more than itself (isWhole is false) and lies outside
+/// the bound of all that, it is fitted into that bound: a last level may move or shrink it far.
+void Cut::emit(const AffineMap &map, StateId state, bool isWhole)
+{
+    const Sphere &base = m_scene.graph.base();
+    glm::dvec3 centre = base.centre;
+    double radius = base.radius;
+    if (!isWhole) {
+        const Sphere &bound = m_table.state(state).bound;
+        if (glm::distance(bound.centre, centre) + radius > 1.1 * bound.radius) {
+            centre = bound.centre;
+            radius = bound.radius;
+        }
+    }
+    const glm::dvec3 translation = map(centre);
+    Instance &instance = m_ready.emplace_back();
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            instance.rows[row][column] = static_cast<float>(map.linear[column][row] * radius);
+        }
+        instance.rows[row][3] = static_cast<float>(translation[row]);
+    }
+}
+
+/// Planes that the sphere lies wholly inside of are taken off for all below it.
+bool Cut::isOutside(const Sphere &sphere, unsigned &planes) const
+{
+    for (unsigned i = 0; i < m_planes.size(); ++i) {
+        if (!(planes & (1u << i))) {
+            continue;
+        }
+        const double inside = glm::dot(m_planes[i].normal, sphere.centre) + m_planes[i].offset;
+        if (inside < -sphere.radius) {
+            return true;
+        }
+        if (inside >= sphere.radius) {
+            planes &= ~(1u << i);
+        }
+    }
+    return false;
+}
+
+bool Cut::isSmall(const Sphere &sphere) const
+{
+    const bool isPerspective = m_projector.projection == Projection::Perspective;
+    const double distance = isPerspective ? std::max(sphere.centre.z, m_projector.near) : 1.0;
+    return 2.0 * sphere.radius * m_projector.pixels < m_tolerance * distance;
+}
+
+void Cut::forgetStates()
+{
+    std::vector<std::vector<Position>> positions;
+    for (const Node &node : m_open) {
+        positions.push_back(m_table.state(node.state).positions);
+    }
+    m_memory = std::max(m_memory, m_table.memoryUse());
+    m_table.forget();
+    for (std::size_t i = 0; i < m_open.size(); ++i) {
+        m_open[i].state = m_table.find(std::move(positions[i]));
+    }
+}
+
+}

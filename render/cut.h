@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "camera.h"
+#include "core/fractal/statetable.h"
+#include "core/scene/scene.h"
+
+namespace romanesco {
+
+/// One copy as the card reads it: the rows of the affine map from the base mesh, within the unit sphere, to the
+/// camera's axes, relative to the camera, in units of the view.
+struct Instance {
+    std::array<std::array<float, 4>, 3> rows;
+};
+static_assert(sizeof(Instance) == 48);
+
+/// How a camera maps what it sees to the screen, in units in which the scene and its distance are about 1, so that a
+/// scene of any size fits the card's floats.
+struct Projector {
+    Projector(const Camera &camera, const Scene &scene, int width, int height);
+
+    Projection projection;
+    /// World to camera, in units of the view.
+    AffineMap cameraFromWorld;
+    double unit;
+    /// Clip x and y for each unit sideways: at distance 1 for perspective.
+    double scaleX;
+    double scaleY;
+    /// Perspective: nothing nearer is drawn. A hundred-thousandth of the scene's size and distance.
+    double near;
+    /// Orthographic: depth runs over ±range.
+    double range;
+    /// Pixels for each unit sideways, at distance 1 for perspective.
+    double pixels;
+};
+
+/// The copies to draw for a view: the graph walked from its root with camera-relative maps in double; what is outside
+/// the view is dropped, and where a bound is smaller on the screen than the tolerance, one base mesh stands for all
+/// below. Its cost follows what is seen, about (pixels / tolerance)^dimension, never the number of instances.
+///
+/// Works in slices and holds the way down, not the result. One thread.
+class Cut
+{
+public:
+    /// scene must outlive the cut.
+    explicit Cut(const Scene &scene);
+
+    /// Starts over. A tolerance of 0 gives every instance that is in view.
+    void begin(const Projector &projector, double pixelTolerance);
+
+    /// The next copies, about `count` of them (more where one state has more children), in the graph's order; none when
+    /// the cut is complete. The reference holds until the next call.
+    [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
+
+    [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
+    [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }
+    /// Greatest number of bytes held since begin().
+    [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
+
+private:
+    /// A copy of a state that is in view and too large to stand as one.
+    struct Node {
+        StateId state;
+        /// Planes that its bound may cross.
+        unsigned planes;
+        AffineMap map;
+        /// At least the operator norm of the map.
+        double norm;
+    };
+    struct Plane {
+        glm::dvec3 normal;
+        double offset;
+    };
+
+    void visit(const Node &node);
+    void addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound);
+    void emit(const AffineMap &map, StateId state, bool isWhole);
+    [[nodiscard]] bool isOutside(const Sphere &sphere, unsigned &planes) const;
+    [[nodiscard]] bool isSmall(const Sphere &sphere) const;
+    void forgetStates();
+
+    const Scene &m_scene;
+    StateTable m_table;
+    std::vector<Node> m_open;
+    std::vector<Instance> m_ready;
+    std::array<Plane, 5> m_planes;
+    Projector m_projector;
+    double m_tolerance = 1.0;
+    bool m_handedOut = false;
+    std::uint64_t m_instances = 0;
+    std::uint64_t m_visited = 0;
+    std::size_t m_memory = 0;
+};
+
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "glresources.h"
+
+#include <format>
+
+namespace romanesco {
+
+namespace {
+
+std::string compilerWords(GLuint shader)
+{
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string words(static_cast<std::size_t>(length), '\0');
+    glGetShaderInfoLog(shader, length, nullptr, words.data());
+    return words;
+}
+
+GlTexture makeTexture(int width, int height, GLenum format)
+{
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_2D, 1, &name);
+    glTextureStorage2D(name, 1, format, width, height);
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return GlTexture(name);
+}
+
+}
+
+GlBuffer makeBuffer()
+{
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    return GlBuffer(name);
+}
+
+GlVertexArray makeVertexArray()
+{
+    GLuint name = 0;
+    glCreateVertexArrays(1, &name);
+    return GlVertexArray(name);
+}
+
+std::expected<GlProgram, std::string> makeProgram(const char *vertex, const char *fragment)
+{
+    GlProgram program(glCreateProgram());
+    const std::pair<GLenum, const char *> stages[] = {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}};
+    for (const auto &[kind, source] : stages) {
+        const GLuint shader = glCreateShader(kind);
+        glShaderSource(shader, 1, &source, nullptr);
+        glCompileShader(shader);
+        GLint isCompiled = GL_FALSE;
+        glGetShaderiv(shader, GL_COMPILE_STATUS, &isCompiled);
+        if (!isCompiled) {
+            const std::string words = compilerWords(shader);
+            glDeleteShader(shader);
+            return std::unexpected("A shader does not compile: " + words);
+        }
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    GLint isLinked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &isLinked);
+    if (!isLinked) {
+        return std::unexpected(std::string("The shaders do not link."));
+    }
+    return program;
+}
+
+std::expected<Target, std::string> makeTarget(int width, int height, GLenum colourFormat, bool hasDepth)
+{
+    while (glGetError() != GL_NO_ERROR) {
+        // Left by whoever used the context before.
+    }
+    GLuint name = 0;
+    glCreateFramebuffers(1, &name);
+    Target target{width, height, makeTexture(width, height, colourFormat), {}, GlFramebuffer(name)};
+    glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, target.colour, 0);
+    if (hasDepth) {
+        target.depth = makeTexture(width, height, GL_DEPTH_COMPONENT32F);
+        glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, target.depth, 0);
+    }
+    const bool isComplete = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    if (glGetError() != GL_NO_ERROR || !isComplete) {
+        return std::unexpected(std::format("The graphics driver has no room for a picture of {}x{}.", width, height));
+    }
+    return target;
+}
+
+}

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <expected>
+#include <string>
+#include <utility>
+
+#include <epoxy/gl.h>
+
+namespace romanesco {
+
+/// Owners of OpenGL names; each is destroyed with its context current. Empty owners own nothing.
+template<void (*destroy)(GLuint)>
+class GlName
+{
+public:
+    GlName() = default;
+    explicit GlName(GLuint name)
+        : m_name(name)
+    {
+    }
+    ~GlName() { reset(); }
+    GlName(GlName &&other) noexcept
+        : m_name(std::exchange(other.m_name, 0))
+    {
+    }
+    GlName &operator=(GlName &&other) noexcept
+    {
+        if (this != &other) {
+            reset();
+            m_name = std::exchange(other.m_name, 0);
+        }
+        return *this;
+    }
+    operator GLuint() const { return m_name; }
+
+private:
+    void reset()
+    {
+        if (m_name != 0) {
+            destroy(m_name);
+        }
+    }
+
+    GLuint m_name = 0;
+};
+
+inline void deleteBuffer(GLuint name)
+{
+    glDeleteBuffers(1, &name);
+}
+inline void deleteVertexArray(GLuint name)
+{
+    glDeleteVertexArrays(1, &name);
+}
+inline void deleteTexture(GLuint name)
+{
+    glDeleteTextures(1, &name);
+}
+inline void deleteFramebuffer(GLuint name)
+{
+    glDeleteFramebuffers(1, &name);
+}
+inline void deleteProgram(GLuint name)
+{
+    glDeleteProgram(name);
+}
+
+using GlBuffer = GlName<deleteBuffer>;
+using GlVertexArray = GlName<deleteVertexArray>;
+using GlTexture = GlName<deleteTexture>;
+using GlFramebuffer = GlName<deleteFramebuffer>;
+using GlProgram = GlName<deleteProgram>;
+
+[[nodiscard]] GlBuffer makeBuffer();
+[[nodiscard]] GlVertexArray makeVertexArray();
+
+/// A linked program, or the compiler's or linker's words.
+[[nodiscard]] std::expected<GlProgram, std::string> makeProgram(const char *vertex, const char *fragment);
+
+/// A colour texture, with a 32-bit float depth buffer where asked for, to draw into.
+struct Target {
+    int width = 0;
+    int height = 0;
+    GlTexture colour;
+    GlTexture depth;
+    GlFramebuffer framebuffer;
+};
+
+/// The error is a sentence; the driver may be out of memory.
+[[nodiscard]] std::expected<Target, std::string> makeTarget(int width, int height, GLenum colourFormat, bool hasDepth);
+
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "orbitcamera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <glm/geometric.hpp>
+
+namespace romanesco {
+
+namespace {
+
+constexpr double straightUp = std::numbers::pi / 2.0;
+
+}
+
+void OrbitCamera::fit(const Scene &scene, double aspect)
+{
+    const glm::dvec3 forward = glm::normalize(glm::dvec3(-1.0, -0.8, 1.2));
+    setDirection(std::atan2(forward.x, forward.z), std::asin(forward.y));
+    refit(scene, aspect);
+}
+
+void OrbitCamera::refit(const Scene &scene, double aspect)
+{
+    m_camera = fittedCamera(m_camera, scene, aspect);
+    // The pivot is the point of the view's axis that is nearest to the middle, so that turning keeps the scene in view.
+    const glm::dvec3 &forward = m_camera.worldFromCamera[2];
+    m_pivot = m_camera.position + forward * glm::dot(scene.extent.centre() - m_camera.position, forward);
+}
+
+void OrbitCamera::look(double yawDegrees, double pitchDegrees)
+{
+    constexpr double radians = std::numbers::pi / 180.0;
+    const double away = distance();
+    setDirection(yawDegrees * radians, pitchDegrees * radians);
+    m_camera.position = m_pivot - m_camera.worldFromCamera[2] * away;
+}
+
+void OrbitCamera::orbit(const glm::dvec2 &movement)
+{
+    const double away = distance();
+    setDirection(m_yaw + movement.x * std::numbers::pi, m_pitch + movement.y * std::numbers::pi);
+    m_camera.position = m_pivot - m_camera.worldFromCamera[2] * away;
+}
+
+void OrbitCamera::pan(const glm::dvec2 &movement)
+{
+    const glm::dvec3 shift = m_camera.worldFromCamera * glm::dvec3(movement * planeHeight(), 0.0);
+    m_camera.position -= shift;
+    m_pivot -= shift;
+}
+
+void OrbitCamera::zoom(double factor, const glm::dvec2 &pointer)
+{
+    const glm::dvec3 target = m_pivot + m_camera.worldFromCamera * glm::dvec3(pointer * planeHeight(), 0.0);
+    m_camera.position = target + (m_camera.position - target) * factor;
+    m_pivot = target + (m_pivot - target) * factor;
+    m_camera.viewHeight *= factor;
+}
+
+void OrbitCamera::setProjection(Projection projection)
+{
+    const double height = planeHeight();
+    if (projection == Projection::Perspective) {
+        const double away = 0.5 * height / std::tan(0.5 * m_camera.fieldOfView * std::numbers::pi / 180.0);
+        m_camera.position = m_pivot - m_camera.worldFromCamera[2] * away;
+    }
+    m_camera.projection = projection;
+    m_camera.viewHeight = height;
+}
+
+/// Yaw from forward (z) towards the right (x), pitch upwards.
+void OrbitCamera::setDirection(double yaw, double pitch)
+{
+    m_yaw = std::remainder(yaw, 2.0 * std::numbers::pi);
+    m_pitch = std::clamp(pitch, -straightUp, straightUp);
+    const glm::dvec3 right(std::cos(m_yaw), 0.0, -std::sin(m_yaw));
+    const glm::dvec3 forward(std::sin(m_yaw) * std::cos(m_pitch), std::sin(m_pitch),
+                             std::cos(m_yaw) * std::cos(m_pitch));
+    m_camera.worldFromCamera = {right, glm::cross(forward, right), forward};
+}
+
+double OrbitCamera::distance() const
+{
+    return glm::distance(m_camera.position, m_pivot);
+}
+
+double OrbitCamera::planeHeight() const
+{
+    if (m_camera.projection == Projection::Orthographic) {
+        return m_camera.viewHeight;
+    }
+    return 2.0 * distance() * std::tan(0.5 * m_camera.fieldOfView * std::numbers::pi / 180.0);
+}
+
+}

@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <format>
+#include <optional>
+
+#include <epoxy/gl.h>
+#include <glm/geometric.hpp>
+
+#include "cut.h"
+#include "glresources.h"
+#include "shaders.h"
+
+namespace romanesco {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 6 MB.
+constexpr std::size_t chunkSize = 32'768;
+constexpr std::size_t chunkCount = 4;
+
+/// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
+/// square evenly for every n. The only sample of one is the centre itself.
+std::array<double, 2> samplePlace(int i, int n)
+{
+    if (n == 1) {
+        return {0.0, 0.0};
+    }
+    constexpr double a = 0.7548776662466927;
+    constexpr double b = 0.5698402909980532;
+    const auto fraction = [](double x) { return x - std::floor(x); };
+    return {fraction(0.5 + a * i) - 0.5, fraction(0.5 + b * i) - 0.5};
+}
+
+}
+
+/// A picture is made in passes, one for each sample: the cut is walked and drawn in chunks into `pass`, then the pass
+/// is added to `sum`. `sum` keeps the last picture until the first pass of the next one is done.
+class Renderer::Private
+{
+public:
+    ~Private()
+    {
+        for (GLsync &fence : m_chunkFences) {
+            glDeleteSync(fence);
+        }
+        glDeleteSync(m_passFence);
+    }
+
+    std::expected<void, std::string> initialise()
+    {
+        if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 45) {
+            const char *version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
+            return std::unexpected(
+                std::format("Drawing needs OpenGL 4.5; this system offers {}.", version ? version : "none"));
+        }
+        const std::pair<GlProgram *, std::pair<const char *, const char *>> programs[] = {
+            {&m_instanceProgram, {shaders::instance_vert, shaders::instance_frag}},
+            {&m_accumulateProgram, {shaders::fullscreen_vert, shaders::accumulate_frag}},
+            {&m_presentProgram, {shaders::fullscreen_vert, shaders::present_frag}},
+        };
+        for (const auto &[program, stages] : programs) {
+            auto made = makeProgram(stages.first, stages.second);
+            if (!made) {
+                return std::unexpected(made.error());
+            }
+            *program = std::move(*made);
+        }
+        makeRing();
+        makeVertexArrays();
+        return {};
+    }
+
+    void setScene(std::shared_ptr<const Scene> scene)
+    {
+        m_nextScene = std::move(scene);
+    }
+
+    void begin(const View &view)
+    {
+        m_view = view;
+        m_passes = 0;
+        m_error.clear();
+        m_statistics = {};
+        if (m_scene != m_nextScene) {
+            m_cut.reset();
+            const bool hasNewMesh = m_nextScene && (!m_scene || m_scene->mesh != m_nextScene->mesh);
+            m_scene = m_nextScene;
+            if (m_scene) {
+                m_cut.emplace(*m_scene);
+            }
+            if (hasNewMesh) {
+                uploadMesh(*m_scene->mesh, m_scene->graph.base());
+            }
+        }
+        if (m_pass.width != view.width || m_pass.height != view.height) {
+            auto target = makeTarget(view.width, view.height, GL_RGBA16F, true);
+            if (!target) {
+                fail(target.error());
+                return;
+            }
+            m_pass = std::move(*target);
+        }
+        beginPass();
+    }
+
+    bool step(std::chrono::milliseconds budget)
+    {
+        const Clock::time_point end = Clock::now() + budget;
+        do {
+            if (isFinished()) {
+                break;
+            }
+            m_isDrawn ? waitForPass(end) : drawChunk();
+        } while (Clock::now() < end);
+        return isFinished();
+    }
+
+    [[nodiscard]] bool isFinished() const { return !m_error.empty() || m_passes == m_view.samples; }
+    [[nodiscard]] int finishedSamples() const { return m_passes; }
+    [[nodiscard]] const std::string &error() const { return m_error; }
+
+    void present(GLuint framebuffer, int width, int height) const
+    {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glViewport(0, 0, width, height);
+        if (m_sumCount == 0) {
+            const std::array<float, 3> &c = m_view.backgroundBottom;
+            glClearColor(c[0], c[1], c[2], 1.0f);
+            glClear(GL_COLOR_BUFFER_BIT);
+            return;
+        }
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        glUseProgram(m_presentProgram);
+        glUniform1f(0, static_cast<float>(m_sumCount));
+        glUniform3fv(1, 1, m_view.backgroundTop.data());
+        glUniform3fv(2, 1, m_view.backgroundBottom.data());
+        glBindTextureUnit(0, m_sum.colour);
+        glBindVertexArray(m_emptyArray);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    Picture read() const
+    {
+        auto target = makeTarget(m_sum.width, m_sum.height, GL_RGBA8, false);
+        if (!target || m_sumCount == 0) {
+            return {};
+        }
+        present(target->framebuffer, target->width, target->height);
+        Picture picture{target->width, target->height, {}};
+        const std::size_t rowBytes = static_cast<std::size_t>(picture.width) * 3;
+        std::vector<std::uint8_t> pixels(rowBytes * static_cast<std::size_t>(picture.height));
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+
+        // The card counts rows from the bottom.
+        picture.pixels.reserve(pixels.size());
+        for (std::size_t end = pixels.size(); end > 0; end -= rowBytes) {
+            const auto row = pixels.begin() + static_cast<std::ptrdiff_t>(end - rowBytes);
+            picture.pixels.insert(picture.pixels.end(), row, row + static_cast<std::ptrdiff_t>(rowBytes));
+        }
+        return picture;
+    }
+
+    [[nodiscard]] DrawStatistics statistics() const
+    {
+        DrawStatistics statistics = m_statistics;
+        statistics.bufferBytes = chunkSize * chunkCount * sizeof(Instance) + m_meshBytes;
+        statistics.graphBytes = m_cut ? m_cut->memoryUse() + m_scene->graph.memoryUse() : 0;
+        return statistics;
+    }
+
+private:
+    void fail(std::string words)
+    {
+        m_error = std::move(words);
+        m_cut.reset();
+        m_scene.reset();
+    }
+
+    // ---- Resources
+
+    void makeRing()
+    {
+        constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+        constexpr GLsizeiptr bytes = chunkCount * chunkSize * sizeof(Instance);
+        m_ring = makeBuffer();
+        glNamedBufferStorage(m_ring, bytes, nullptr, access);
+        m_mapped = static_cast<Instance *>(glMapNamedBufferRange(m_ring, 0, bytes, access));
+    }
+
+    void makeVertexArrays()
+    {
+        m_emptyArray = makeVertexArray();
+        m_array = makeVertexArray();
+        constexpr GLuint meshBinding = 0;
+        constexpr GLuint instanceBinding = 1;
+        glEnableVertexArrayAttrib(m_array, 0);
+        glVertexArrayAttribFormat(m_array, 0, 3, GL_FLOAT, GL_FALSE, 0);
+        glVertexArrayAttribBinding(m_array, 0, meshBinding);
+        for (GLuint row = 0; row < 3; ++row) {
+            glEnableVertexArrayAttrib(m_array, 1 + row);
+            glVertexArrayAttribFormat(m_array, 1 + row, 4, GL_FLOAT, GL_FALSE, row * sizeof(Instance::rows[0]));
+            glVertexArrayAttribBinding(m_array, 1 + row, instanceBinding);
+        }
+        glVertexArrayBindingDivisor(m_array, instanceBinding, 1);
+        glVertexArrayVertexBuffer(m_array, instanceBinding, m_ring, 0, sizeof(Instance));
+    }
+
+    /// In units of the sphere round the mesh, so that floats suffice wherever the mesh lies and however large it is.
+    void uploadMesh(const Mesh &mesh, const Sphere &base)
+    {
+        std::vector<std::array<float, 3>> vertices;
+        vertices.reserve(mesh.vertices.size());
+        const double scale = base.radius > 0.0 ? 1.0 / base.radius : 1.0;
+        for (const glm::dvec3 &vertex : mesh.vertices) {
+            const glm::dvec3 unit = (vertex - base.centre) * scale;
+            vertices.push_back({static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)});
+        }
+        const std::size_t vertexBytes = vertices.size() * sizeof(vertices[0]);
+        const std::size_t faceBytes = mesh.faces.size() * sizeof(mesh.faces[0]);
+        m_vertices = makeBuffer();
+        glNamedBufferStorage(m_vertices, static_cast<GLsizeiptr>(vertexBytes), vertices.data(), 0);
+        m_faces = makeBuffer();
+        glNamedBufferStorage(m_faces, static_cast<GLsizeiptr>(faceBytes), mesh.faces.data(), 0);
+        glVertexArrayVertexBuffer(m_array, 0, m_vertices, 0, sizeof(vertices[0]));
+        glVertexArrayElementBuffer(m_array, m_faces);
+        m_indexCount = static_cast<GLsizei>(mesh.faces.size() * 3);
+        m_meshBytes = vertexBytes + faceBytes;
+    }
+
+    // ---- Passes
+
+    void beginPass()
+    {
+        m_passStart = Clock::now();
+        m_isDrawn = false;
+        if (m_cut) {
+            m_projector.emplace(m_view.camera, *m_scene, m_view.width, m_view.height);
+            m_cut->begin(*m_projector, m_view.pixelTolerance);
+        }
+        const GLfloat nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
+        const GLfloat farthest = 0.0f;
+        glClearNamedFramebufferfv(m_pass.framebuffer, GL_COLOR, 0, nothing);
+        glClearNamedFramebufferfv(m_pass.framebuffer, GL_DEPTH, 0, &farthest);
+    }
+
+    void drawChunk()
+    {
+        const std::vector<Instance> *instances = m_cut ? &m_cut->next(chunkSize) : nullptr;
+        if (!instances || instances->empty()) {
+            m_isDrawn = true;
+            glDeleteSync(m_passFence);
+            m_passFence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+            glFlush();
+            return;
+        }
+        bindForDrawing();
+        for (std::size_t at = 0; at < instances->size(); at += chunkSize) {
+            const std::size_t count = std::min(chunkSize, instances->size() - at);
+            GLsync &fence = m_chunkFences[m_chunk];
+            waitFor(fence);
+            std::memcpy(m_mapped + m_chunk * chunkSize, instances->data() + at, count * sizeof(Instance));
+            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr,
+                                                static_cast<GLsizei>(count),
+                                                static_cast<GLuint>(m_chunk * chunkSize));
+            fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+            m_chunk = (m_chunk + 1) % chunkCount;
+        }
+        glFlush();
+    }
+
+    static void waitFor(GLsync &fence)
+    {
+        while (fence && glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, 1'000'000'000) == GL_TIMEOUT_EXPIRED) {
+            // The card still reads this part of the ring.
+        }
+        glDeleteSync(fence);
+        fence = nullptr;
+    }
+
+    void bindForDrawing() const
+    {
+        glBindFramebuffer(GL_FRAMEBUFFER, m_pass.framebuffer);
+        glViewport(0, 0, m_pass.width, m_pass.height);
+        glDisable(GL_BLEND);
+        glDisable(GL_CULL_FACE);
+        glDisable(GL_SCISSOR_TEST);
+        // Reversed depth in floats: as fine far away as near.
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_GREATER);
+        glDepthMask(GL_TRUE);
+        glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+
+        glUseProgram(m_instanceProgram);
+        const auto [x, y] = samplePlace(m_passes, m_view.samples);
+        const auto asFloat = [](double value) { return static_cast<float>(value); };
+        glUniform2f(0, asFloat(m_projector->scaleX), asFloat(m_projector->scaleY));
+        glUniform2f(1, asFloat(2.0 * x / m_view.width), asFloat(2.0 * y / m_view.height));
+        glUniform1i(2, m_projector->projection == Projection::Perspective);
+        glUniform1f(3, asFloat(m_projector->near));
+        glUniform1f(4, asFloat(m_projector->range));
+        glBindVertexArray(m_array);
+    }
+
+    void waitForPass(Clock::time_point end)
+    {
+        const auto left = std::chrono::duration_cast<std::chrono::nanoseconds>(end - Clock::now()).count();
+        const GLenum state = glClientWaitSync(m_passFence, GL_SYNC_FLUSH_COMMANDS_BIT,
+                                              static_cast<GLuint64>(std::max<std::int64_t>(left, 0)));
+        if (state != GL_TIMEOUT_EXPIRED) {
+            finishPass();
+        }
+    }
+
+    void finishPass()
+    {
+        const bool isFirst = m_passes == 0;
+        if (isFirst && (m_sum.width != m_pass.width || m_sum.height != m_pass.height)) {
+            auto target = makeTarget(m_pass.width, m_pass.height, GL_RGBA32F, false);
+            if (!target) {
+                fail(target.error());
+                return;
+            }
+            m_sum = std::move(*target);
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, m_sum.framebuffer);
+        glViewport(0, 0, m_sum.width, m_sum.height);
+        glDisable(GL_DEPTH_TEST);
+        if (isFirst) {
+            glDisable(GL_BLEND);
+        } else {
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_ONE, GL_ONE);
+        }
+        glUseProgram(m_accumulateProgram);
+        glBindTextureUnit(0, m_pass.colour);
+        glBindVertexArray(m_emptyArray);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glDisable(GL_BLEND);
+
+        m_sumCount = ++m_passes;
+        m_statistics.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - m_passStart).count();
+        m_statistics.instances = m_cut ? m_cut->instanceCount() : 0;
+        m_statistics.statesVisited = m_cut ? m_cut->statesVisited() : 0;
+        if (!isFinished()) {
+            beginPass();
+        }
+    }
+
+    std::shared_ptr<const Scene> m_scene;
+    std::shared_ptr<const Scene> m_nextScene;
+    std::optional<Cut> m_cut;
+    std::optional<Projector> m_projector;
+    View m_view;
+    std::string m_error;
+
+    int m_passes = 0;
+    bool m_isDrawn = false;
+    int m_sumCount = 0;
+    Clock::time_point m_passStart;
+    DrawStatistics m_statistics;
+
+    GlProgram m_instanceProgram;
+    GlProgram m_accumulateProgram;
+    GlProgram m_presentProgram;
+    GlVertexArray m_array;
+    GlVertexArray m_emptyArray;
+    GlBuffer m_vertices;
+    GlBuffer m_faces;
+    GLsizei m_indexCount = 0;
+    std::size_t m_meshBytes = 0;
+    GlBuffer m_ring;
+    Instance *m_mapped = nullptr;
+    std::array<GLsync, chunkCount> m_chunkFences{};
+    std::size_t m_chunk = 0;
+    GLsync m_passFence = nullptr;
+    Target m_pass;
+    Target m_sum;
+};
+
+Renderer::Renderer(std::unique_ptr<Private> p)
+    : d(std::move(p))
+{
+}
+
+Renderer::~Renderer() = default;
+
+std::expected<std::unique_ptr<Renderer>, std::string> Renderer::create()
+{
+    auto p = std::make_unique<Private>();
+    if (auto made = p->initialise(); !made) {
+        return std::unexpected(made.error());
+    }
+    return std::unique_ptr<Renderer>(new Renderer(std::move(p)));
+}
+
+void Renderer::setScene(std::shared_ptr<const Scene> scene)
+{
+    d->setScene(std::move(scene));
+}
+
+void Renderer::begin(const View &view)
+{
+    d->begin(view);
+}
+
+bool Renderer::step(std::chrono::milliseconds budget)
+{
+    return d->step(budget);
+}
+
+bool Renderer::isFinished() const
+{
+    return d->isFinished();
+}
+
+int Renderer::finishedSamples() const
+{
+    return d->finishedSamples();
+}
+
+const std::string &Renderer::error() const
+{
+    return d->error();
+}
+
+void Renderer::present(unsigned framebuffer, int width, int height)
+{
+    d->present(framebuffer, width, height);
+}
+
+Picture Renderer::read()
+{
+    return d->read();
+}
+
+DrawStatistics Renderer::statistics() const
+{
+    return d->statistics();
+}
+
+std::string Renderer::description() const
+{
+    const auto text = [](GLenum name) { return reinterpret_cast<const char *>(glGetString(name)); };
+    return std::format("OpenGL {}, {}", text(GL_VERSION), text(GL_RENDERER));
+}
+
+}

@@ -1,0 +1,31 @@
+#version 450 core
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+
+layout(location = 0) in vec2 place;
+
+layout(binding = 0) uniform sampler2D accumulated;
+layout(location = 0) uniform float sampleCount;
+layout(location = 1) uniform vec3 backgroundTop;
+layout(location = 2) uniform vec3 backgroundBottom;
+
+layout(location = 0) out vec4 colour;
+
+vec3 linearFromSrgb(vec3 c)
+{
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+
+vec3 srgbFromLinear(vec3 c)
+{
+    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+}
+
+// The sum of the samples holds light and coverage; what is not covered shows the background.
+void main()
+{
+    vec4 picture = texture(accumulated, place) / sampleCount;
+    vec3 background = linearFromSrgb(mix(backgroundBottom, backgroundTop, place.y));
+    vec3 light = picture.rgb + (1.0 - picture.a) * background;
+    colour = vec4(srgbFromLinear(clamp(light, 0.0, 1.0)), 1.0);
+}
