@@ -105,8 +105,8 @@ const std::vector<Instance> &Cut::next(std::size_t count)
     }
     m_handedOut = true;
     m_instances += m_ready.size();
-    m_memory = std::max(m_memory, m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance)
-                                      + m_table.memoryUse());
+    m_memory = std::max(m_memory,
+                        m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_table.memoryUse());
     return m_ready;
 }
 

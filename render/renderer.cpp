@@ -78,10 +78,7 @@ public:
         return {};
     }
 
-    void setScene(std::shared_ptr<const Scene> scene)
-    {
-        m_nextScene = std::move(scene);
-    }
+    void setScene(std::shared_ptr<const Scene> scene) { m_nextScene = std::move(scene); }
 
     void begin(const View &view)
     {
@@ -270,8 +267,7 @@ private:
             waitFor(fence);
             std::memcpy(m_mapped + m_chunk * chunkSize, instances->data() + at, count * sizeof(Instance));
             glDrawElementsInstancedBaseInstance(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr,
-                                                static_cast<GLsizei>(count),
-                                                static_cast<GLuint>(m_chunk * chunkSize));
+                                                static_cast<GLsizei>(count), static_cast<GLuint>(m_chunk * chunkSize));
             fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
             m_chunk = (m_chunk + 1) % chunkCount;
         }

@@ -31,9 +31,10 @@ QString helpText()
                     .arg(QString::fromUtf8(command.name), QString::fromUtf8(command.synopsis),
                          QString::fromUtf8(command.summary));
     }
-    text += QStringLiteral("romanesco COMMAND --help\n    all options of a command\n"
-                           "romanesco --version\n\n"
-                           "Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 the work could not be done.\n");
+    text +=
+        QStringLiteral("romanesco COMMAND --help\n    all options of a command\n"
+                       "romanesco --version\n\n"
+                       "Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 the work could not be done.\n");
     return text;
 }
 

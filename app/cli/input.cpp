@@ -36,8 +36,7 @@ std::expected<std::string, std::string> readText(const QString &file)
 std::expected<std::string, int> withDepth(std::string text, const QString &depth)
 {
     const QByteArray digits = depth.toUtf8();
-    const bool isWhole = !digits.isEmpty()
-        && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+    const bool isWhole = !digits.isEmpty() && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
     if (!isWhole) {
         complain(QStringLiteral("--depth takes a whole number, not \"%1\"").arg(depth));
         return std::unexpected(WrongUsage);
@@ -70,8 +69,10 @@ std::expected<QString, int> parseArguments(QCommandLineParser &parser, const cha
     parser.addOption(help);
     const bool isUnderstood = parser.parse(QStringList{name} + arguments);
     if (isUnderstood && parser.isSet(help)) {
-        std::print("{}", parser.helpText().replace(QStringLiteral("Usage: romanesco"), QStringLiteral("Usage: ") + name)
-                             .toStdString());
+        std::print("{}",
+                   parser.helpText()
+                       .replace(QStringLiteral("Usage: romanesco"), QStringLiteral("Usage: ") + name)
+                       .toStdString());
         return std::unexpected(Done);
     }
     if (!isUnderstood) {

@@ -34,8 +34,8 @@ bool writeWhole(const QString &file, const QByteArray &bytes)
     };
     if (file == QLatin1String("-")) {
         QFile output;
-        const bool isWritten = output.open(stdout, QIODevice::WriteOnly) && output.write(bytes) == bytes.size()
-            && output.flush();
+        const bool isWritten =
+            output.open(stdout, QIODevice::WriteOnly) && output.write(bytes) == bytes.size() && output.flush();
         return isWritten || fail(output.errorString());
     }
     const QFileInfo info(file);
@@ -43,14 +43,14 @@ bool writeWhole(const QString &file, const QByteArray &bytes)
         return fail(QStringLiteral("it is not a regular file"));
     }
     QSaveFile output(file);
-    const bool isWritten = output.open(QIODevice::WriteOnly) && output.write(bytes) == bytes.size()
-        && output.flush() && ::fsync(output.handle()) == 0 && output.commit();
+    const bool isWritten = output.open(QIODevice::WriteOnly) && output.write(bytes) == bytes.size() && output.flush()
+        && ::fsync(output.handle()) == 0 && output.commit();
     return isWritten || fail(output.errorString());
 }
 
 void catchCancel()
 {
-    struct sigaction action {};
+    struct sigaction action{};
     action.sa_handler = [](int) { cancelled = true; };
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);

@@ -25,7 +25,8 @@ constexpr int mostSamples = 4'096;
 
 struct Options {
     QCommandLineOption output{{QStringLiteral("o"), QStringLiteral("output")},
-                              QStringLiteral("The picture to write; - is stdout."), QStringLiteral("OUT.png")};
+                              QStringLiteral("The picture to write; - is stdout."),
+                              QStringLiteral("OUT.png")};
     QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Width and height in pixels (1280x720)."),
                             QStringLiteral("WxH"), QStringLiteral("1280x720")};
     QCommandLineOption tolerance{QStringLiteral("pixel-tolerance"),
@@ -106,7 +107,8 @@ std::expected<Picture, int> draw(const std::shared_ptr<const Scene> &scene, cons
         if (isCancelled()) {
             return fail("cancelled");
         }
-        progress.show(QStringLiteral("drawing: %1 of %2 samples").arg((*renderer)->finishedSamples()).arg(view.samples));
+        progress.show(
+            QStringLiteral("drawing: %1 of %2 samples").arg((*renderer)->finishedSamples()).arg(view.samples));
     }
     if (!(*renderer)->error().empty()) {
         return fail((*renderer)->error());

@@ -11,8 +11,21 @@ namespace mp = boost::multiprecision;
 
 namespace {
 
-/// ceil(10,000 · log2(10)): an integer of fewer bits has at most 10,000 digits.
-constexpr unsigned maximumExactBits = 33'219;
+using Integer = mp::cpp_int;
+
+/// floor(10,000 · log2(10)): an integer whose top bit lies below this one has at most 10,000 digits.
+constexpr unsigned exactBits = 33'219;
+
+/// Whether an integer has more than the digits that are kept. Only near the limit is it compared with the limit itself.
+bool isTooLong(const Integer &value)
+{
+    const unsigned top = value.is_zero() ? 0 : static_cast<unsigned>(mp::msb(value));
+    if (top != exactBits) {
+        return top > exactBits;
+    }
+    static const Integer limit = mp::pow(Integer(10), Count::maximumExactDigits);
+    return value >= limit;
+}
 
 }
 
@@ -34,8 +47,7 @@ bool Count::isZero() const
 
 void Count::settle()
 {
-    const Integer &exact = std::get<Integer>(m_value);
-    if (!exact.is_zero() && mp::msb(exact) >= maximumExactBits) {
+    if (isTooLong(std::get<Integer>(m_value))) {
         m_value = approximate();
     }
 }

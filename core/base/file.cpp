@@ -52,12 +52,16 @@ std::unexpected<std::string> failure(int number)
 
 std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::path &path) const
 {
+    if (path.native().contains('\0')) {
+        return failure(ENOENT); // open() would see a shorter name
+    }
+
     // Without O_NONBLOCK the opening of a pipe would wait for its writer.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file < 0) {
         return failure(errno);
     }
-    struct stat status {};
+    struct stat status{};
     if (::fstat(file, &status) != 0) {
         return failure(errno);
     }

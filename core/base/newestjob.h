@@ -15,7 +15,7 @@ namespace romanesco {
 /// Runs jobs on a thread of its own, one at a time, where only the newest matters: a job that is posted takes the place
 /// of the one that waits, and the one under way is asked to stop. So the last job posted always runs, and what waits
 /// is never more than one.
-template <typename Job>
+template<typename Job>
 class NewestJob
 {
 public:

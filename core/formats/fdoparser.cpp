@@ -115,7 +115,8 @@ private:
         const Token next = m_lexer.peek();
         if (next.is(TokenKind::Number) && !m_lexer.isBlankBeforeNext()) {
             add(VectorDeclaration{name},
-                error(DiagnosticCode::BlankAfterVectorName, {name.range.end, next.range.end}, {std::string(name.text)}));
+                error(DiagnosticCode::BlankAfterVectorName, {name.range.end, next.range.end},
+                      {std::string(name.text)}));
         } else if (next.is(TokenKind::Number) || (name.text == "v" && !next.is(TokenKind::Dot))) {
             VectorDeclaration vector{name};
             const bool isGood = parseVector(vector);
@@ -127,16 +128,37 @@ private:
             ObjectDeclaration object{name};
             const bool isGood = parseRecursive(object);
             add(std::move(object), isGood);
+        } else if (looksLikeNumbers()) {
+            add(VectorDeclaration{name}, expected("a number", next));
         } else {
             add(UnknownDeclaration{name}, error(DiagnosticCode::ExpectedAfterName, next.range, {described(next)}));
         }
+    }
+
+    /// Whether two of the words left are numbers, as in `half nan 0 0`: meant as a vector, which keeps its number.
+    bool looksLikeNumbers() const
+    {
+        LineLexer ahead = m_lexer;
+        int numbers = 0;
+        for (Token token = ahead.take(); !token.is(TokenKind::EndOfLine) && !token.is(TokenKind::Hash);
+             token = ahead.take()) {
+            const bool isPossible = token.is(TokenKind::Number) || token.is(TokenKind::Name)
+                || token.is(TokenKind::Comma) || token.is(TokenKind::Unknown);
+            if (!isPossible) {
+                return false;
+            }
+            numbers += token.is(TokenKind::Number) ? 1 : 0;
+        }
+        return numbers >= 2;
     }
 
     /// A line that starts with a digit. If numbers follow, it was meant as a vector and keeps its number.
     void parseMisnamed()
     {
         const Token word = m_lexer.take();
-        error(DiagnosticCode::NameStartsWithDigit, word.range, {std::string(word.text)});
+        const std::string_view name = word.text.substr(0, word.text.find('.'));
+        error(DiagnosticCode::NameStartsWithDigit, {word.range.begin, word.range.begin + name.size()},
+              {std::string(name)});
         if (m_lexer.peek().is(TokenKind::Number)) {
             add(VectorDeclaration{{{}, word.range}}, false);
         }
@@ -356,7 +378,8 @@ private:
     {
         value.isMesh = true;
         value.inner.text = value.inner.text.substr(1, value.inner.text.size() - 2);
-        std::string ending(value.inner.text.substr(value.inner.text.size() - std::min<std::size_t>(4, value.inner.text.size())));
+        std::string ending(
+            value.inner.text.substr(value.inner.text.size() - std::min<std::size_t>(4, value.inner.text.size())));
         std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
         if (ending != ".obj") {
             return error(DiagnosticCode::NotAMeshPath, value.inner.range, {std::string(value.inner.text)});

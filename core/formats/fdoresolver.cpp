@@ -140,16 +140,15 @@ private:
             return;
         }
         if (m_resultNode != ObjectNode::none) {
-            report(DiagnosticCode::SecondResult, node.name.range, {lineOf(m_forest[m_resultNode].nameRange)});
+            if (isGood) { // else it has its message already
+                report(DiagnosticCode::SecondResult, node.name.range, {lineOf(m_forest[m_resultNode].nameRange)});
+            }
             return;
         }
         m_resultNode = index;
     }
 
-    void declare(const UnknownDeclaration &node, bool)
-    {
-        declareName(node.name, SymbolKind::Unknown, 0, true);
-    }
+    void declare(const UnknownDeclaration &node, bool) { declareName(node.name, SymbolKind::Unknown, 0, true); }
 
     bool checkName(const Word &name)
     {
@@ -189,8 +188,8 @@ private:
                 continue;
             }
             const VectorReference &reference = *node.results[i];
-            const std::size_t parameter = reference.index ? node.parameters.size()
-                                                          : parameterIndex(node, reference.word.text);
+            const std::size_t parameter =
+                reference.index ? node.parameters.size() : parameterIndex(node, reference.word.text);
             if (parameter < node.parameters.size()) {
                 entry.results[i] = {ResultSource::Kind::Parameter, parameter};
                 continue;
@@ -222,10 +221,11 @@ private:
             if (number == 0 || number > m_vectors.size()) {
                 const std::size_t count = m_vectors.size();
                 report(DiagnosticCode::UnknownVectorIndex, reference.word.range,
-                       {text, number == 0 ? "they are counted from 1,"
-                                 : count == 0 ? "none is"
-                                 : count == 1 ? "only 1 is"
-                                              : std::format("only {} are", count)});
+                       {text,
+                        number == 0      ? "vectors are counted from 1"
+                            : count == 0 ? "none is declared above"
+                            : count == 1 ? "only 1 is declared above"
+                                         : std::format("only {} are declared above", count)});
                 return std::nullopt;
             }
             return goodVector(number - 1);
@@ -307,8 +307,8 @@ private:
         if (use.isIdentity()) {
             return AffineMap{};
         }
-        const Symbol *symbol = find(use.name, SymbolKind::Transformation, SymbolKind::Transformation,
-                                    DiagnosticCode::NotATransformation);
+        const Symbol *symbol =
+            find(use.name, SymbolKind::Transformation, SymbolKind::Transformation, DiagnosticCode::NotATransformation);
         if (!symbol) {
             return std::nullopt;
         }
@@ -352,8 +352,8 @@ private:
             object.meshRange = value.inner.range;
             return true;
         }
-        const Symbol *symbol = find(value.inner, SymbolKind::Object, SymbolKind::Recursive,
-                                    DiagnosticCode::NotAnObject);
+        const Symbol *symbol =
+            find(value.inner, SymbolKind::Object, SymbolKind::Recursive, DiagnosticCode::NotAnObject);
         if (!symbol) {
             return false;
         }
@@ -382,9 +382,8 @@ private:
         object.base = symbol->index;
         const bool isReached = object.next != ObjectNode::none && m_forest.standsOn(object.next, object.base);
         if (!isReached) {
-            const std::string chain = object.next == ObjectNode::none
-                ? '"' + std::string(object.meshPath) + '"'
-                : m_forest.chain(object.next);
+            const std::string chain = object.next == ObjectNode::none ? '"' + std::string(object.meshPath) + '"'
+                                                                      : m_forest.chain(object.next);
             const std::string name(node.name.text);
             return report(DiagnosticCode::BaseNotReached, node.base->range,
                           {name, std::string(node.base->text), name + " → " + chain});
@@ -419,8 +418,8 @@ private:
     void describeResult()
     {
         if (m_resultNode == ObjectNode::none) {
-            const bool isText = m_syntax.diagnostics.empty()
-                || m_syntax.diagnostics.front().code != DiagnosticCode::NotUtf8;
+            const bool isText =
+                m_syntax.diagnostics.empty() || m_syntax.diagnostics.front().code != DiagnosticCode::NotUtf8;
             if (isText) {
                 report(DiagnosticCode::NoResult, {m_syntax.text.size(), m_syntax.text.size()});
             }

@@ -47,6 +47,11 @@ void LevelSequence::Builder::addLevel(SetId set)
 
 void LevelSequence::Builder::beginRepeat(std::uint64_t count)
 {
+    const bool isPlain = m_current != 0 && count == 1;
+    m_begun.push_back(!isPlain);
+    if (isPlain) {
+        return;
+    }
     const auto index = static_cast<std::uint32_t>(m_sequence.m_repeats.size());
     Repeat repeat;
     repeat.firstSlot = m_sequence.slotCount();
@@ -59,7 +64,12 @@ void LevelSequence::Builder::beginRepeat(std::uint64_t count)
 
 void LevelSequence::Builder::endRepeat()
 {
-    assert(m_current != 0 && "a repeat ends that did not begin");
+    assert(!m_begun.empty() && "a repeat ends that did not begin");
+    const bool hasEntry = m_begun.back();
+    m_begun.pop_back();
+    if (!hasEntry) {
+        return;
+    }
     const std::uint32_t index = m_current;
     Repeat &repeat = m_sequence.m_repeats[index];
     repeat.endSlot = m_sequence.slotCount();
@@ -87,7 +97,7 @@ void LevelSequence::Builder::endRepeat()
 
 LevelSequence LevelSequence::Builder::build() &&
 {
-    assert(m_current == 0 && "every repeat has ended");
+    assert(m_begun.empty() && "every repeat has ended");
     m_sequence.m_repeats[0].endSlot = m_sequence.slotCount();
 
     // After a slot comes the next one, and where repeats end there, also the first slot of each of them.

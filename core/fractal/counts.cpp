@@ -29,6 +29,7 @@ class LinearCounter
 public:
     explicit LinearCounter(const FractalGraph &graph)
         : m_graph(graph)
+        , m_runs(graph.levels().repeats().size())
     {
         findParts();
     }
@@ -126,11 +127,17 @@ private:
         if (words.size() > widestMatrix) {
             return false;
         }
-        const std::optional<Matrix> pass = passMatrix(index);
-        if (pass) {
-            words = applied(power(*pass, repeat.count), words);
+        // Made once: repeats nest, and each pass of an outer one comes here again.
+        Matrix &run = m_runs[index];
+        if (run.empty()) {
+            const std::optional<Matrix> pass = passMatrix(index);
+            if (!pass) {
+                return false;
+            }
+            run = power(*pass, repeat.count);
         }
-        return pass.has_value();
+        words = applied(run, words);
+        return true;
     }
 
     /// Column i is what a pass makes of the i-th unit vector.
@@ -189,6 +196,8 @@ private:
     const FractalGraph &m_graph;
     std::vector<Part> m_parts;
     std::vector<std::vector<std::size_t>> m_partsOfSet;
+    /// By repeat: what its whole run does, where that was needed.
+    std::vector<Matrix> m_runs;
 };
 
 /// Whether some map is in a set with `#` and in one without. Then what follows it need not be nested, and words are

@@ -46,13 +46,15 @@ double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &dire
     std::priority_queue<Candidate> open;
     const double whole = reachOfSphere(table.state(table.root()).bound, direction);
     open.push({whole, table.root(), false, {}, 1.0});
-    while (!open.top().isLeaf && budget-- > 0) {
+    std::size_t looked = 0;
+    while (!open.top().isLeaf && looked < budget) {
         const Candidate parent = open.top();
         open.pop();
         const Expansion &expansion = table.expansion(parent.state);
         if (expansion.hasLeaf) {
             open.push({reachOfMesh(parent.map, mesh, direction), parent.state, true, parent.map, parent.norm});
         }
+        looked += expansion.bounds.size();
         std::size_t child = 0;
         for (const ChildRange &range : expansion.ranges) {
             for (std::uint32_t i = range.firstMap; i < range.endMap; ++i, ++child) {

@@ -23,6 +23,7 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     }
     graph.classifyMaps();
     graph.findEqualSets();
+    graph.findLastFixedLevel();
     graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_norms, base);
 
     const Sphere whole = graph.bound(0);
@@ -72,6 +73,7 @@ void FractalGraph::findEqualSets()
         std::ranges::sort(content);
         const SetId first = known.try_emplace({std::move(content), m_sets[id].holdsIdentity}, id).first->second;
         m_canonical.push_back(first);
+        m_distinctSetCount += first == id ? 1 : 0;
         for (const std::uint32_t number : m_mapClasses[id]) {
             m_setsShareMaps = m_setsShareMaps || (owner[number] != m_sets.size() && owner[number] != first);
             owner[number] = first;
@@ -79,25 +81,48 @@ void FractalGraph::findEqualSets()
     }
 }
 
+/// The last position whose level cannot be passed over lies in the last pass of each repeat round its slot.
+void FractalGraph::findLastFixedLevel()
+{
+    Position position = m_levels.levelCount();
+    while (position > 0) {
+        const auto [slot, index, end] = m_levels.locate(position - 1);
+        if (!setAt(slot).holdsIdentity) {
+            break;
+        }
+        const LevelSequence::Repeat &repeat = m_levels.repeats()[index];
+        const bool isWholePass = slot == repeat.firstSlot && index != 0 && end - (position - 1) == repeat.passLength;
+        position = isWholePass ? end - repeat.length() : position - 1;
+    }
+    m_passableFrom = position;
+}
+
 FractalGraph::Reach FractalGraph::reach(Position position) const
 {
     Reach reach;
-    std::vector<bool> seen(m_levels.slotCount());
+    reach.reachesEnd = position >= m_passableFrom;
+    std::vector<bool> seenSlots(m_levels.slotCount());
+    std::vector<SetId> seenSets;
     while (position < m_levels.levelCount()) {
         const auto [slot, repeat, end] = m_levels.locate(position);
         // A slot seen before: a whole pass of the repeat round it has gone by, and the other passes are like it.
-        if (seen[slot]) {
+        if (seenSlots[slot]) {
             position = end;
             continue;
         }
-        seen[slot] = true;
-        reach.levels.push_back({position, slot});
-        if (!setAt(slot).holdsIdentity) {
-            return reach;
+        seenSlots[slot] = true;
+        const SetId set = m_canonical[m_levels.set(slot)];
+        if (std::ranges::find(seenSets, set) == seenSets.end()) {
+            seenSets.push_back(set);
+            reach.levels.push_back({position, slot});
+        }
+        const bool isComplete = reach.reachesEnd && seenSets.size() == m_distinctSetCount;
+        if (!setAt(slot).holdsIdentity || isComplete) {
+            break;
         }
         ++position;
     }
-    reach.reachesEnd = true;
+    reach.last = reach.reachesEnd ? m_levels.levelCount() : position;
     return reach;
 }
 

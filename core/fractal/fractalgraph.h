@@ -50,7 +50,7 @@ public:
     [[nodiscard]] bool setsShareMaps() const { return m_setsShareMaps; }
 
     /// The levels that the next pick may be made from: the one at a position and, while those passed over hold `#`, the
-    /// ones after it, each slot once.
+    /// ones after it, of each distinct set the first.
     struct Reach {
         struct Level {
             Position position;
@@ -59,8 +59,11 @@ public:
         std::vector<Level> levels;
         /// All levels to the end may be passed over: no pick is needed.
         bool reachesEnd = false;
+        /// The last position that is reached by passing levels over; levelCount() where reachesEnd.
+        Position last = 0;
     };
-    /// Cost linear in the slots passed, however deep the fractal.
+    /// Cost linear in the slots passed, however deep the fractal; where nothing but `#` levels are left, it ends with
+    /// the last set that is new.
     [[nodiscard]] Reach reach(Position position) const;
 
     /// A sphere round all that the levels from a position on make of the base mesh, in the frame at that position.
@@ -75,6 +78,7 @@ private:
     FractalGraph() = default;
     void classifyMaps();
     void findEqualSets();
+    void findLastFixedLevel();
 
     LevelSequence m_levels;
     std::vector<TransformSet> m_sets;
@@ -83,6 +87,9 @@ private:
     std::vector<std::vector<std::uint32_t>> m_mapClasses;
     std::uint32_t m_mapClassCount = 0;
     bool m_setsShareMaps = false;
+    std::size_t m_distinctSetCount = 0;
+    /// From here on every level holds `#`.
+    Position m_passableFrom = 0;
     SphereBounds m_bounds;
 };
 

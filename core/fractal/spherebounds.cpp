@@ -121,53 +121,94 @@ private:
 
     // ---- The invariant
 
+    /// Slots that can reach one another by passing levels over are bounded alike: all slots of a repeat in which every
+    /// level holds `#`. The first slot of the outermost such repeat stands for them.
+    void groupSlots()
+    {
+        m_group.resize(m_levels.slotCount());
+        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+            m_group[slot] = slot;
+        }
+        const std::vector<LevelSequence::Repeat> &repeats = m_levels.repeats();
+        for (std::size_t i = repeats.size(); i-- > 1;) { // inner repeats first, so that the outermost has its say last
+            Slot slot = repeats[i].firstSlot;
+            while (slot < repeats[i].endSlot && setAt(slot).holdsIdentity) {
+                ++slot;
+            }
+            if (repeats[i].count > 1 && slot == repeats[i].endSlot) {
+                std::fill(m_group.begin() + repeats[i].firstSlot, m_group.begin() + slot, repeats[i].firstSlot);
+            }
+        }
+    }
+
     const Sphere &sphereAt(Slot slot) const
     {
-        return slot == m_levels.slotCount() ? m_base : m_bounds.m_invariant[slot];
+        return slot == m_levels.slotCount() ? m_base : m_bounds.m_invariant[m_group[slot]];
     }
 
-    Sphere following(Slot slot) const
+    /// What the sphere of a group must hold: for each of its slots and what may follow it, the maps of the next sphere,
+    /// and that sphere itself where the level may be passed over.
+    const std::vector<Sphere> &contentOf(Slot first)
     {
-        const std::vector<Slot> &successors = m_levels.successors(slot);
-        if (successors.size() == 1) {
-            return sphereAt(successors.front());
+        m_spheres.clear();
+        for (Slot slot = first; slot < m_levels.slotCount() && m_group[slot] == first; ++slot) {
+            const TransformSet &set = setAt(slot);
+            for (const Slot successor : m_levels.successors(slot)) {
+                const Sphere &next = sphereAt(successor);
+                for (std::size_t i = 0; i < set.maps.size(); ++i) {
+                    m_spheres.push_back(transformed(set.maps[i], normsAt(slot)[i], next));
+                }
+                const bool isOther = successor == m_levels.slotCount() || m_group[successor] != first;
+                if (set.holdsIdentity && isOther) {
+                    m_spheres.push_back(next);
+                }
+            }
         }
-        std::vector<Sphere> spheres;
-        for (const Slot successor : successors) {
-            spheres.push_back(sphereAt(successor));
-        }
-        return enclosingSphere(spheres);
+        return m_spheres;
     }
 
-    /// Centres by iterating one level up until they settle; radii for those centres by iterating the largest reach;
-    /// then a margin, until the inclusions hold as they stand.
+    /// Calls visit(slot) for the slot that stands for each group, the last first.
+    template<typename Visit>
+    void forEachGroup(Visit visit)
+    {
+        for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
+            if (m_group[slot] == slot) {
+                visit(slot);
+            }
+        }
+    }
+
+    /// Centres by iterating the content until they settle; radii for those centres by iterating the largest reach; then
+    /// a margin, until the inclusions hold as they stand.
     bool findInvariant()
     {
+        groupSlots();
         std::vector<Sphere> &spheres = m_bounds.m_invariant;
         spheres.assign(m_levels.slotCount(), m_base);
         constexpr int rounds = 400;
         for (int round = 0; round < rounds; ++round) {
             double change = 0.0;
-            for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
-                const Sphere next = oneLevelUp(slot, following(slot));
-                if (!std::isfinite(next.radius)) {
-                    return false;
-                }
-                change = std::max(change, glm::distance(next.centre, spheres[slot].centre)
-                                              + std::abs(next.radius - spheres[slot].radius));
+            forEachGroup([&](Slot slot) {
+                const Sphere next = enclosingSphere(contentOf(slot));
+                const double moved =
+                    glm::distance(next.centre, spheres[slot].centre) + std::abs(next.radius - spheres[slot].radius);
+                change = std::max(change, moved / next.radius);
                 spheres[slot] = next;
+            });
+            if (!std::isfinite(change)) {
+                return false;
             }
-            if (change <= 1e-3 * spheres.front().radius) {
+            if (change <= 1e-3) {
                 break;
             }
         }
         for (int round = 0; round < rounds; ++round) {
             double change = 0.0;
-            for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
-                const double radius = neededRadius(slot);
+            forEachGroup([&](Slot slot) {
+                const double radius = enclosingRadius(spheres[slot].centre, contentOf(slot));
                 change = std::max(change, std::abs(radius - spheres[slot].radius) / radius);
                 spheres[slot].radius = radius;
-            }
+            });
             if (!(change > 1e-6)) {
                 break;
             }
@@ -177,44 +218,23 @@ private:
                 sphere.radius *= 1.0 + margin;
             }
             if (isInvariant()) {
+                for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+                    spheres[slot] = spheres[m_group[slot]];
+                }
                 return true;
             }
         }
         return false;
     }
 
-    double neededRadius(Slot slot)
+    bool isInvariant()
     {
-        const Sphere next = following(slot);
-        const TransformSet &set = setAt(slot);
-        m_spheres.clear();
-        for (std::size_t i = 0; i < set.maps.size(); ++i) {
-            m_spheres.push_back(transformed(set.maps[i], normsAt(slot)[i], next));
-        }
-        if (set.holdsIdentity) {
-            m_spheres.push_back(next);
-        }
-        return enclosingRadius(m_bounds.m_invariant[slot].centre, m_spheres);
-    }
-
-    bool isInvariant() const
-    {
-        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+        bool holds = true;
+        forEachGroup([&](Slot slot) {
             const Sphere &outer = m_bounds.m_invariant[slot];
-            const TransformSet &set = setAt(slot);
-            for (const Slot successor : m_levels.successors(slot)) {
-                const Sphere &next = sphereAt(successor);
-                for (std::size_t i = 0; i < set.maps.size(); ++i) {
-                    if (!contains(outer, transformed(set.maps[i], normsAt(slot)[i], next))) {
-                        return false;
-                    }
-                }
-                if (set.holdsIdentity && !contains(outer, next)) {
-                    return false;
-                }
-            }
-        }
-        return true;
+            holds = holds && std::ranges::all_of(contentOf(slot), [&](const Sphere &s) { return contains(outer, s); });
+        });
+        return holds;
     }
 
     // ---- Growth
@@ -255,6 +275,7 @@ private:
     const std::vector<std::vector<double>> &m_norms;
     const Sphere m_base;
     SphereBounds m_bounds;
+    std::vector<Slot> m_group;
     std::vector<Sphere> m_spheres;
 };
 

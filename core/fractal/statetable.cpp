@@ -56,8 +56,7 @@ void StateTable::normalise(std::vector<Position> &positions) const
         if (!kept.empty() && position <= reached) {
             continue;
         }
-        const FractalGraph::Reach reach = m_graph.reach(position);
-        reached = reach.reachesEnd ? m_graph.levels().levelCount() : reach.levels.back().position;
+        reached = m_graph.reach(position).last;
         kept.push_back(position);
     }
     positions = std::move(kept);
@@ -88,16 +87,13 @@ void StateTable::expand(Entry &entry)
     entry.isExpanded = true;
 }
 
-/// Different sets hold different maps: of each set the first occurrence, whole.
+/// Different sets hold different maps: each whole.
 void StateTable::expandDistinct(const FractalGraph::Reach &reach, Expansion &expansion)
 {
-    std::vector<SetId> taken;
     for (const auto &[position, slot] : reach.levels) {
         const SetId set = m_graph.levels().set(slot);
-        const SetId canonical = m_graph.canonical(set);
         const auto size = static_cast<std::uint32_t>(m_graph.set(set).maps.size());
-        if (size != 0 && std::ranges::find(taken, canonical) == taken.end()) {
-            taken.push_back(canonical);
+        if (size != 0) {
             expansion.ranges.push_back({set, 0, size, find({position + 1})});
         }
     }

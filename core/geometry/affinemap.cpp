@@ -46,6 +46,7 @@ double largestEigenvalue(glm::dmat3 a)
     return std::max({a[0][0], a[1][1], a[2][2]});
 }
 
+/// The greatest absolute value; not meaningful where there is a NaN.
 double largestEntry(const glm::dmat3 &matrix)
 {
     double largest = 0.0;
@@ -55,6 +56,23 @@ double largestEntry(const glm::dmat3 &matrix)
         }
     }
     return largest;
+}
+
+/// Whether no row and no column has two entries: an unequal scale, with axes exchanged or mirrored.
+bool isPermutedDiagonal(const glm::dmat3 &matrix)
+{
+    for (int i = 0; i < 3; ++i) {
+        int inColumn = 0;
+        int inRow = 0;
+        for (int j = 0; j < 3; ++j) {
+            inColumn += matrix[i][j] != 0.0 ? 1 : 0;
+            inRow += matrix[j][i] != 0.0 ? 1 : 0;
+        }
+        if (inColumn > 1 || inRow > 1) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }
@@ -86,6 +104,11 @@ AffineMap mapFromParts(const glm::dvec3 &position, const glm::dvec3 &rotation, c
 
 double operatorNorm(const glm::dmat3 &matrix)
 {
+    // Exact where it can be: a margin on moves alone would grow with the depth.
+    if (isPermutedDiagonal(matrix)) {
+        return largestEntry(matrix);
+    }
+
     // Rescaled first, so that squares neither overflow nor vanish.
     const double scale = largestEntry(matrix);
     if (scale == 0.0 || !std::isfinite(scale)) {
@@ -110,8 +133,11 @@ bool isSimilarity(const glm::dmat3 &matrix)
 
 bool isFinite(const AffineMap &map)
 {
-    return std::isfinite(largestEntry(map.linear)) && std::isfinite(map.translation.x)
-        && std::isfinite(map.translation.y) && std::isfinite(map.translation.z);
+    const auto isFiniteVector = [](const glm::dvec3 &v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    return isFiniteVector(map.linear[0]) && isFiniteVector(map.linear[1]) && isFiniteVector(map.linear[2])
+        && isFiniteVector(map.translation);
 }
 
 }

@@ -21,6 +21,18 @@ double roundingBound(const glm::dvec3 &centre, double radius)
     return 8.0 * std::numeric_limits<double>::epsilon() * size;
 }
 
+/// The length, also where squares overflow or vanish.
+double lengthOf(const glm::dvec3 &v)
+{
+    const double simple = glm::length(v);
+    return simple > 1e-140 && simple < 1e150 ? simple : std::hypot(v.x, v.y, v.z);
+}
+
+double distanceBetween(const glm::dvec3 &a, const glm::dvec3 &b)
+{
+    return lengthOf(a - b);
+}
+
 glm::dvec3 middleOfBox(std::span<const Sphere> spheres)
 {
     glm::dvec3 least(std::numeric_limits<double>::infinity());
@@ -52,7 +64,7 @@ double enclosingRadius(const glm::dvec3 &centre, std::span<const Sphere> spheres
     double radius = -1.0;
     for (const Sphere &sphere : spheres) {
         if (!sphere.isEmpty()) {
-            radius = std::max(radius, glm::distance(centre, sphere.centre) + sphere.radius);
+            radius = std::max(radius, distanceBetween(centre, sphere.centre) + sphere.radius);
         }
     }
     return radius < 0.0 ? radius : radius + roundingBound(centre, radius);
@@ -72,14 +84,14 @@ Sphere enclosingSphere(std::span<const Sphere> spheres)
         const Sphere *farthest = nullptr;
         double reach = -1.0;
         for (const Sphere &sphere : spheres) {
-            const double distance = sphere.isEmpty() ? -1.0 : glm::distance(centre, sphere.centre) + sphere.radius;
+            const double distance = sphere.isEmpty() ? -1.0 : distanceBetween(centre, sphere.centre) + sphere.radius;
             if (distance > reach) {
                 reach = distance;
                 farthest = &sphere;
             }
         }
         const glm::dvec3 offset = farthest->centre - centre;
-        const double distance = glm::length(offset);
+        const double distance = lengthOf(offset);
         if (distance == 0.0) {
             break;
         }
@@ -104,7 +116,7 @@ Sphere enclosingSphere(std::span<const glm::dvec3> points)
 
 bool contains(const Sphere &outer, const Sphere &inner)
 {
-    const double reach = glm::distance(outer.centre, inner.centre) + inner.radius;
+    const double reach = distanceBetween(outer.centre, inner.centre) + inner.radius;
     return inner.isEmpty() || reach + roundingBound(inner.centre, reach) <= outer.radius;
 }
 

@@ -35,14 +35,12 @@ public:
     explicit SceneLoader(const FileAccess &files);
 
     /// text is an .fdo or .obj text by the ending of path; paths in it are relative to path's folder.
-    [[nodiscard]] SceneResult load(const std::filesystem::path &path, std::string_view text,
-                                   std::stop_token stop = {});
+    [[nodiscard]] SceneResult load(const std::filesystem::path &path, std::string_view text, std::stop_token stop = {});
 
 private:
     [[nodiscard]] SceneResult loadObj(std::string_view text);
     [[nodiscard]] std::shared_ptr<const Mesh> loadMesh(const std::filesystem::path &folder,
-                                                       const FractalDescription &description,
-                                                       Diagnostics &diagnostics);
+                                                       const FractalDescription &description, Diagnostics &diagnostics);
 
     const FileAccess &m_files;
     std::string m_meshText;

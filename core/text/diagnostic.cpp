@@ -8,6 +8,7 @@
 #include <format>
 
 #include "linemap.h"
+#include "unicode.h"
 
 namespace romanesco {
 
@@ -28,6 +29,23 @@ constexpr auto table = std::to_array<Row>({
 const Row &row(DiagnosticCode code)
 {
     return table[static_cast<std::size_t>(code)];
+}
+
+/// An argument as it may be shown: what is no UTF-8 and control characters as U+FFFD, and only the start of what is
+/// long. (A file may hold a word of a megabyte.)
+void appendShown(std::string &text, std::string_view argument)
+{
+    constexpr int longest = 200;
+    for (int i = 0; !argument.empty(); ++i) {
+        if (i == longest) {
+            text += "…";
+            return;
+        }
+        const CodePoint point = firstCodePoint(argument);
+        const bool isShown = point.isValid && point.value >= 0x20 && point.value != 0x7F;
+        text += isShown ? argument.substr(0, point.length) : std::string_view("\uFFFD");
+        argument.remove_prefix(point.length);
+    }
 }
 
 }
@@ -68,7 +86,7 @@ std::string Diagnostic::message() const
         }
         const std::size_t index = static_cast<std::size_t>(words[i + 1] - '0');
         assert(index < arguments.size() && "a message names an argument that was not given");
-        text += arguments[index];
+        appendShown(text, arguments[index]);
         i += 2;
     }
     return text;

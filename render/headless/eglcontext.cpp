@@ -52,13 +52,14 @@ EGLContext currentContext(EGLDisplay display)
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) {
         return EGL_NO_CONTEXT;
     }
-    const bool needsNothing = hasExtension(display, "EGL_KHR_no_config_context")
-        && hasExtension(display, "EGL_KHR_surfaceless_context");
+    const bool needsNothing =
+        hasExtension(display, "EGL_KHR_no_config_context") && hasExtension(display, "EGL_KHR_surfaceless_context");
     if (!needsNothing) {
         return EGL_NO_CONTEXT;
     }
-    constexpr EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    constexpr EGLint attributes[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (context != EGL_NO_CONTEXT && !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
         eglDestroyContext(display, context);

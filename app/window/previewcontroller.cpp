@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "previewcontroller.h"
+
+#include <new>
+
+#include <QMetaObject>
+
+namespace romanesco {
+
+PreviewController::PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent)
+    : QObject(parent)
+    , m_files(std::move(files))
+    , m_loader(*m_files)
+    , m_counting([this](const CountJob &scene, const std::stop_token &stop) { runCount(scene, stop); })
+    , m_building([this](const BuildJob &job, const std::stop_token &stop) { runBuild(job, stop); })
+{
+}
+
+PreviewController::~PreviewController() = default;
+
+quint64 PreviewController::build(const std::filesystem::path &path, const TextSnapshot &text)
+{
+    ++m_newestRevision;
+    m_building.post({m_newestRevision, path, text});
+    return m_newestRevision;
+}
+
+void PreviewController::forget()
+{
+    // What is under way is of the old file and must not arrive any more.
+    ++m_newestRevision;
+    m_lastGoodScene.reset();
+}
+
+/// On the building thread, the only one to use the loader.
+void PreviewController::runBuild(const BuildJob &job, const std::stop_token &stop)
+{
+    Preview preview{job.revision, job.text, {}, nullptr, {}};
+    try {
+        SceneResult result = m_loader.load(job.path, job.text.bytes(), stop);
+        preview.diagnostics = std::move(result.diagnostics);
+        preview.scene = std::move(result.scene);
+    } catch (const std::bad_alloc &) {
+        // The text is worth more than its picture.
+        preview.failure = tr("There is not enough memory for this fractal.");
+    }
+    if (!stop.stop_requested()) {
+        QMetaObject::invokeMethod(this, [this, preview] { deliver(preview); }, Qt::QueuedConnection);
+    }
+}
+
+/// On the counting thread.
+void PreviewController::runCount(const CountJob &scene, const std::stop_token &stop)
+{
+    try {
+        const Summary summary = summarise(*scene);
+        if (stop.stop_requested()) {
+            return;
+        }
+        const auto announce = [this, scene, summary] {
+            if (scene == m_lastGoodScene) {
+                Q_EMIT counted(summary);
+            }
+        };
+        QMetaObject::invokeMethod(this, announce, Qt::QueuedConnection);
+    } catch (const std::bad_alloc &) {
+        // Then there are no numbers to show.
+    }
+}
+
+void PreviewController::deliver(const Preview &preview)
+{
+    if (preview.revision != m_newestRevision) {
+        return;
+    }
+    if (preview.scene) {
+        m_lastGoodScene = preview.scene;
+        m_counting.post(preview.scene);
+    }
+    Q_EMIT built(preview);
+}
+
+}

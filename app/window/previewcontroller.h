@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include <QObject>
+
+#include "core/base/newestjob.h"
+#include "core/scene/sceneloader.h"
+#include "core/scene/summary.h"
+#include "editor/textsnapshot.h"
+
+namespace romanesco {
+
+/// What one version of a text came to.
+struct Preview {
+    quint64 revision = 0;
+    TextSnapshot text;
+    /// Of that text, sorted by place.
+    Diagnostics diagnostics;
+    /// Null after errors.
+    std::shared_ptr<const Scene> scene;
+    /// Why there is no scene where the text is not to blame, as a sentence; else empty.
+    QString failure;
+};
+
+/// Makes scenes of a text that changes, in the background. Only the newest text counts: the result of an older one never
+/// arrives once a newer one was given. For the GUI thread.
+class PreviewController : public QObject
+{
+    Q_OBJECT
+public:
+    /// files may be called from other threads.
+    explicit PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent = nullptr);
+    /// Waits for what is under way, which has been asked to stop.
+    ~PreviewController() override;
+
+    /// Starts on a text and returns its revision; paths in it are relative to path's folder. built() follows.
+    quint64 build(const std::filesystem::path &path, const TextSnapshot &text);
+
+    /// The texts that follow are of another file: what was good of the last one is forgotten.
+    void forget();
+
+    /// Of the newest text that had no errors; null if there was none.
+    [[nodiscard]] const std::shared_ptr<const Scene> &lastGoodScene() const { return m_lastGoodScene; }
+
+Q_SIGNALS:
+    void built(const romanesco::Preview &preview);
+    /// Follows built() where there is a scene, unless a newer scene is there before.
+    void counted(const romanesco::Summary &summary);
+
+private:
+    struct BuildJob {
+        quint64 revision;
+        std::filesystem::path path;
+        TextSnapshot text;
+    };
+    using CountJob = std::shared_ptr<const Scene>;
+
+    void runBuild(const BuildJob &job, const std::stop_token &stop);
+    void runCount(const CountJob &scene, const std::stop_token &stop);
+    void deliver(const Preview &preview);
+
+    std::unique_ptr<const FileAccess> m_files;
+    SceneLoader m_loader;
+    quint64 m_newestRevision = 0;
+    std::shared_ptr<const Scene> m_lastGoodScene;
+    /// Counting has a thread of its own: it may take a second, and the next picture does not wait for it.
+    NewestJob<CountJob> m_counting;
+    NewestJob<BuildJob> m_building;
+};
+
+}

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "problemsview.h"
+
+#include <algorithm>
+
+#include <QFontDatabase>
+#include <QHeaderView>
+#include <QPainter>
+
+#include "core/text/linemap.h"
+#include "editor/fdoeditor.h"
+
+namespace romanesco {
+
+namespace {
+
+enum Column { Place, Message };
+
+QIcon dot(Severity severity)
+{
+    constexpr int side = 64;
+    QPixmap picture(side, side);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(severityColour(severity));
+    painter.drawEllipse(QRectF(side / 4.0, side / 4.0, side / 2.0, side / 2.0));
+    return QIcon(picture);
+}
+
+QString severityWord(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error:
+        return ProblemsView::tr("Error");
+    case Severity::Warning:
+        return ProblemsView::tr("Warning");
+    case Severity::Hint:
+        break;
+    }
+    return ProblemsView::tr("Hint");
+}
+
+}
+
+ProblemsView::ProblemsView(QWidget *parent)
+    : QTreeWidget(parent)
+{
+    setAccessibleName(tr("Problems"));
+    setHeaderHidden(true);
+    setRootIsDecorated(false);
+    setUniformRowHeights(true);
+    setFrameShape(NoFrame);
+    setColumnCount(2);
+    header()->setSectionResizeMode(Place, QHeaderView::ResizeToContents);
+    const auto choose = [this](QTreeWidgetItem *item) {
+        Q_EMIT chosen(m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(item))].range, m_text);
+    };
+    connect(this, &QTreeWidget::itemClicked, this, choose);
+    connect(this, &QTreeWidget::itemActivated, this, choose);
+}
+
+void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagnostics, const TextSnapshot &text)
+{
+    m_text = text;
+    m_diagnostics = diagnostics;
+    clear();
+    const LineMap lines(text.bytes());
+    const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    for (const Diagnostic &diagnostic : diagnostics) {
+        const TextPosition at = lines.position(diagnostic.range.begin);
+        const QString message = QString::fromStdString(diagnostic.message());
+        const QString word = severityWord(diagnostic.severity());
+        auto *item = new QTreeWidgetItem(this);
+        item->setIcon(Place, dot(diagnostic.severity()));
+        item->setText(Place, QStringLiteral("%1:%2:%3").arg(file).arg(at.line).arg(at.column));
+        item->setFont(Place, fixed);
+        item->setToolTip(Place, word);
+        item->setText(Message, message);
+        item->setToolTip(Message, message);
+        item->setData(Message, Qt::AccessibleTextRole, tr("%1: %2", "severity: message").arg(word, message));
+    }
+}
+
+void ProblemsView::paintEvent(QPaintEvent *event)
+{
+    QTreeWidget::paintEvent(event);
+    if (topLevelItemCount() == 0) {
+        QPainter painter(viewport());
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(viewport()->rect().adjusted(12, 8, -12, -8), Qt::AlignTop | Qt::AlignLeft, tr("No problems"));
+    }
+}
+
+QString ProblemsView::counts() const
+{
+    const auto count = [this](Severity severity) {
+        return static_cast<int>(std::ranges::count(m_diagnostics, severity, &Diagnostic::severity));
+    };
+    QStringList parts;
+    if (const int errors = count(Severity::Error); errors > 0) {
+        parts += errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors);
+    }
+    if (const int warnings = count(Severity::Warning); warnings > 0) {
+        parts += warnings == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings);
+    }
+    if (const int hints = count(Severity::Hint); hints > 0) {
+        parts += hints == 1 ? tr("1 hint") : tr("%1 hints").arg(hints);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+}

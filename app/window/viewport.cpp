@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "viewport.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QWheelEvent>
+
+namespace romanesco {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto slice = 25ms;
+/// The camera counts as moving until it has rested so long.
+constexpr auto restAfter = 150ms;
+
+constexpr double coarseTolerance = 4.0;
+constexpr double fineTolerance = 1.0;
+constexpr int fineSamples = 8;
+/// Where the screen's own pixels are so small, half of them do.
+constexpr int fineSamplesOnDenseScreens = 4;
+constexpr double slowMilliseconds = 100.0;
+
+constexpr double clickDistance = 4.0;
+constexpr double zoomOfNotch = 0.85;
+/// Of an arrow key, in heights of the view.
+constexpr double keyMovement = 1.0 / 24.0;
+
+}
+
+Viewport::Viewport(QWidget *parent)
+    : QOpenGLWidget(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("Picture of the fractal"));
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restAfter);
+    connect(&m_rest, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+}
+
+Viewport::~Viewport()
+{
+    release();
+}
+
+void Viewport::setScene(std::shared_ptr<const Scene> scene)
+{
+    if (scene == m_scene) {
+        return;
+    }
+    m_scene = std::move(scene);
+    m_isSceneNew = true;
+    // A text that changes is followed coarsely where a fine picture takes its time.
+    if (m_fineMilliseconds > slowMilliseconds) {
+        m_sinceMovement.restart();
+        m_rest.start();
+    }
+    update();
+}
+
+void Viewport::resetView()
+{
+    m_resetsView = true;
+    update();
+}
+
+void Viewport::fit()
+{
+    if (m_scene) {
+        m_orbit.refit(*m_scene, aspect());
+        cameraChanged();
+    }
+}
+
+void Viewport::lookFrom(Side side)
+{
+    switch (side) {
+    case Side::Front:
+        m_orbit.look(0.0, 0.0);
+        break;
+    case Side::Right:
+        m_orbit.look(-90.0, 0.0);
+        break;
+    case Side::Top:
+        m_orbit.look(0.0, -90.0);
+        break;
+    }
+    cameraChanged();
+}
+
+void Viewport::setProjection(Projection projection)
+{
+    if (projection != m_orbit.camera().projection) {
+        m_orbit.setProjection(projection);
+        cameraChanged();
+        Q_EMIT projectionChanged(projection);
+    }
+}
+
+bool Viewport::isPictureFinished() const
+{
+    return m_renderer && m_renderer->isFinished() && !m_isSceneNew && !(m_resetsView && m_scene)
+        && m_begun == request();
+}
+
+// ---- Drawing
+
+void Viewport::initializeGL()
+{
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::UniqueConnection);
+    auto made = Renderer::create();
+    if (!made) {
+        m_lack = QString::fromStdString(made.error());
+        reportWhetherAvailable();
+        return;
+    }
+    m_lack.clear();
+    m_renderer = std::move(*made);
+    m_isSceneNew = true;
+    m_begun.reset();
+    Q_EMIT ready(QString::fromStdString(m_renderer->description()));
+}
+
+/// The renderer goes while its context is still there: before the widget does, or when the window changes it.
+void Viewport::release()
+{
+    if (context()) {
+        disconnect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release);
+    }
+    if (m_renderer) {
+        makeCurrent();
+        m_renderer.reset();
+        doneCurrent();
+    }
+}
+
+void Viewport::paintGL()
+{
+    if (!m_renderer) {
+        return;
+    }
+    if (m_resetsView && m_scene) {
+        m_resetsView = false;
+        m_orbit.fit(*m_scene, aspect());
+        cameraChanged();
+        // This is a new view, not a movement: the first picture of it is a good one.
+        m_sinceMovement.invalidate();
+    }
+    beginPictureIfDue();
+    m_renderer->step(slice);
+    announceProgress();
+    const qreal ratio = devicePixelRatioF();
+    m_renderer->present(defaultFramebufferObject(), qRound(width() * ratio), qRound(height() * ratio));
+    if (!isPictureFinished()) {
+        update();
+    }
+}
+
+void Viewport::beginPictureIfDue()
+{
+    const Request wanted = request();
+    // A picture of which nothing is to be seen yet is finished first, lest a slow machine never show anything; except
+    // that a fine one makes way for a coarse one, which is quickly there and stays.
+    const bool isHidden = m_begun && !m_renderer->isFinished() && m_renderer->finishedSamples() == 0;
+    const bool makesWay = !isHidden || wanted.pixelTolerance > m_begun->pixelTolerance;
+    if (!m_isSceneNew && (m_begun == wanted || !makesWay)) {
+        return;
+    }
+    if (m_isSceneNew) {
+        m_isSceneNew = false;
+        m_renderer->setScene(m_scene);
+    }
+    View view;
+    view.camera = m_orbit.camera();
+    view.width = wanted.width;
+    view.height = wanted.height;
+    view.pixelTolerance = wanted.pixelTolerance;
+    view.samples = wanted.samples;
+    m_renderer->begin(view);
+    m_begun = wanted;
+    m_announcedSamples = 0;
+}
+
+void Viewport::announceProgress()
+{
+    if (m_renderer->finishedSamples() > m_announcedSamples) {
+        m_announcedSamples = m_renderer->finishedSamples();
+        const DrawStatistics statistics = m_renderer->statistics();
+        if (m_begun->pixelTolerance == fineTolerance) {
+            m_fineMilliseconds = statistics.milliseconds;
+        }
+        Q_EMIT pictureAdvanced(statistics, m_begun->pixelTolerance);
+    }
+    if (m_renderer->isFinished()) {
+        Q_EMIT pictureFailed(QString::fromStdString(m_renderer->error()));
+    }
+    if (isPictureFinished()) {
+        Q_EMIT pictureFinished();
+    }
+}
+
+void Viewport::resizeGL(int, int)
+{
+    update();
+}
+
+void Viewport::showEvent(QShowEvent *event)
+{
+    QOpenGLWidget::showEvent(event);
+    // Where the platform has no OpenGL, nobody calls initializeGL().
+    QTimer::singleShot(0, this, &Viewport::reportWhetherAvailable);
+}
+
+void Viewport::reportWhetherAvailable()
+{
+    if (isVisible() && !m_renderer) {
+        Q_EMIT unavailable(m_lack.isEmpty() ? tr("Drawing needs OpenGL 4.5; this system offers none here.") : m_lack);
+    }
+}
+
+Viewport::Request Viewport::request() const
+{
+    const qreal ratio = devicePixelRatioF();
+    const bool isCoarse = isMoving();
+    const int samples = ratio >= 1.5 ? fineSamplesOnDenseScreens : fineSamples;
+    return {m_cameraRevision, std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)),
+            isCoarse ? coarseTolerance : fineTolerance, isCoarse ? 1 : samples};
+}
+
+bool Viewport::isMoving() const
+{
+    return m_sinceMovement.isValid() && !m_sinceMovement.hasExpired(std::chrono::milliseconds(restAfter).count());
+}
+
+void Viewport::cameraChanged()
+{
+    ++m_cameraRevision;
+    m_sinceMovement.restart();
+    m_rest.start();
+    update();
+}
+
+double Viewport::aspect() const
+{
+    return double(std::max(1, width())) / std::max(1, height());
+}
+
+// ---- Mouse and keyboard
+
+/// A movement on the screen in heights of the view, y up.
+glm::dvec2 Viewport::inHeights(const QPointF &movement) const
+{
+    return glm::dvec2(movement.x(), -movement.y()) / double(std::max(1, height()));
+}
+
+void Viewport::mousePressEvent(QMouseEvent *event)
+{
+    const bool isLeft = event->button() == Qt::LeftButton;
+    const bool pans = event->button() == Qt::RightButton || (isLeft && event->modifiers() & Qt::ShiftModifier);
+    m_drag = pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
+    m_isClick = true;
+    m_pressedAt = m_lastAt = event->position();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent *event)
+{
+    if (m_drag == Drag::None) {
+        return;
+    }
+    const QPointF way = event->position() - m_pressedAt;
+    m_isClick = m_isClick && std::hypot(way.x(), way.y()) < clickDistance;
+    if (m_isClick) {
+        return;
+    }
+    const glm::dvec2 movement = inHeights(event->position() - m_lastAt);
+    m_lastAt = event->position();
+    if (m_drag == Drag::Orbit) {
+        m_orbit.orbit(movement);
+    } else {
+        m_orbit.pan(movement);
+    }
+    cameraChanged();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (m_drag == Drag::Orbit && m_isClick) {
+        Q_EMIT clicked(event->position().toPoint());
+    }
+    m_drag = Drag::None;
+}
+
+void Viewport::wheelEvent(QWheelEvent *event)
+{
+    const QPointF fromMiddle = event->position() - QPointF(width() / 2.0, height() / 2.0);
+    m_orbit.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), inHeights(fromMiddle));
+    cameraChanged();
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent *event)
+{
+    glm::dvec2 way(0.0);
+    switch (event->key()) {
+    case Qt::Key_Left:
+        way.x = -keyMovement;
+        break;
+    case Qt::Key_Right:
+        way.x = keyMovement;
+        break;
+    case Qt::Key_Up:
+        way.y = keyMovement;
+        break;
+    case Qt::Key_Down:
+        way.y = -keyMovement;
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+        m_orbit.zoom(event->key() == Qt::Key_Plus ? zoomOfNotch : 1.0 / zoomOfNotch, glm::dvec2(0.0));
+        cameraChanged();
+        return;
+    default:
+        QOpenGLWidget::keyPressEvent(event);
+        return;
+    }
+    if (event->modifiers() & Qt::ShiftModifier) {
+        m_orbit.pan(way);
+    } else {
+        m_orbit.orbit(way);
+    }
+    cameraChanged();
+}
+
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include "render/orbitcamera.h"
+#include "render/renderer.h"
+
+namespace romanesco {
+
+/// The picture of a scene, which the mouse and the keyboard look at from all sides: left drag orbits, right drag or
+/// Shift + left drag pans, the wheel zooms to the pointer. Draws in slices, so that it never holds up the window:
+/// coarsely while the camera moves, then finely, then smoothly.
+class Viewport : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    explicit Viewport(QWidget *parent = nullptr);
+    ~Viewport() override;
+
+    /// Null shows nothing but the background. The camera stays where it is.
+    void setScene(std::shared_ptr<const Scene> scene);
+
+    /// The view of the beginning, all of the scene in it. A scene that comes before the first picture waits for it.
+    void resetView();
+    /// All of the scene, from where the camera looks now.
+    void fit();
+    enum class Side { Front, Right, Top };
+    void lookFrom(Side side);
+    void setProjection(Projection projection);
+
+    [[nodiscard]] const Camera &camera() const { return m_orbit.camera(); }
+    /// Whether what is seen is the newest scene from the newest view, at its best.
+    [[nodiscard]] bool isPictureFinished() const;
+
+Q_SIGNALS:
+    /// One more pass over the scene is in the picture.
+    void pictureAdvanced(const romanesco::DrawStatistics &statistics, double pixelTolerance);
+    void pictureFinished();
+    /// Drawing works from now on. system names the version of OpenGL and what implements it.
+    void ready(const QString &system);
+    /// There can be no pictures on this system; a sentence or two.
+    void unavailable(const QString &reason);
+    /// This picture could not be drawn; another may be. A sentence; empty once one could.
+    void pictureFailed(const QString &reason);
+    void projectionChanged(romanesco::Projection projection);
+    /// A press and release of the left button in one place, which is not the begin of a drag.
+    void clicked(const QPoint &place);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int width, int height) override;
+    void showEvent(QShowEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    enum class Drag { None, Orbit, Pan };
+
+    /// What a picture is of, the scene apart: equal requests make equal pictures.
+    struct Request {
+        quint64 cameraRevision;
+        int width;
+        int height;
+        double pixelTolerance;
+        int samples;
+        bool operator==(const Request &) const = default;
+    };
+
+    void release();
+    void reportWhetherAvailable();
+    void beginPictureIfDue();
+    void announceProgress();
+    void cameraChanged();
+    [[nodiscard]] Request request() const;
+    [[nodiscard]] bool isMoving() const;
+    [[nodiscard]] double aspect() const;
+    [[nodiscard]] glm::dvec2 inHeights(const QPointF &movement) const;
+
+    std::unique_ptr<Renderer> m_renderer;
+    QString m_lack;
+    std::shared_ptr<const Scene> m_scene;
+    bool m_isSceneNew = false;
+    bool m_resetsView = false;
+
+    OrbitCamera m_orbit;
+    quint64 m_cameraRevision = 0;
+    QElapsedTimer m_sinceMovement;
+    QTimer m_rest;
+
+    std::optional<Request> m_begun;
+    int m_announcedSamples = 0;
+    /// How long one pass of the last fine picture took.
+    double m_fineMilliseconds = 0.0;
+
+    Drag m_drag = Drag::None;
+    bool m_isClick = false;
+    QPointF m_pressedAt;
+    QPointF m_lastAt;
+};
+
+}

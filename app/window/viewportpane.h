@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QStackedLayout;
+
+namespace romanesco {
+
+class MessageStrip;
+class Viewport;
+
+/// The viewport, with a strip over its upper edge for what is to be said of the picture. The strip lies above the
+/// picture, so that it comes and goes without a new picture. Where pictures are impossible there is a text instead.
+class ViewportPane : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ViewportPane(QWidget *parent = nullptr);
+
+    [[nodiscard]] Viewport &viewport() const { return *m_viewport; }
+    [[nodiscard]] MessageStrip &strip() const { return *m_strip; }
+
+protected:
+    bool event(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void placeStrip();
+    void showReason(const QString &reason);
+    void showPicture();
+
+    Viewport *m_viewport;
+    QLabel *m_reason;
+    QStackedLayout *m_layout;
+    MessageStrip *m_strip;
+};
+
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QCoreApplication>
+
+class QAction;
+class QMenu;
+class QMenuBar;
+class QToolBar;
+class QWidget;
+
+namespace romanesco {
+
+/// All that menus and tool bar offer, with words and keys; what they do is the window's to connect. Owned by the window.
+struct WindowActions {
+    Q_DECLARE_TR_FUNCTIONS(WindowActions)
+public:
+    /// viewport is the widget whose keys (F, Home, 1, 3, 7, 5) work only while it has the focus.
+    WindowActions(QWidget &window, QWidget &viewport);
+
+    /// Returns the menus that the window adds to.
+    struct OpenMenus {
+        QMenu *examples;
+        QMenu *window;
+    };
+    OpenMenus fill(QMenuBar &bar) const;
+    void fill(QToolBar &bar) const;
+
+    QAction *newFile;
+    QAction *open;
+    QAction *save;
+    QAction *saveAs;
+    QAction *quit;
+
+    QAction *undo;
+    QAction *redo;
+    QAction *cut;
+    QAction *copy;
+    QAction *paste;
+    QAction *selectAll;
+    QAction *nextProblem;
+
+    QAction *fit;
+    QAction *resetView;
+    QAction *front;
+    QAction *right;
+    QAction *top;
+    QAction *orthographic;
+    QAction *largerText;
+    QAction *smallerText;
+    QAction *usualText;
+
+    QAction *fullScreen;
+    QAction *about;
+};
+
+}
