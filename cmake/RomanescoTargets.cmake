@@ -7,6 +7,8 @@ target_compile_options(romanesco_options INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     # The same bits on every compiler and optimisation level: no fused multiply-add.
     -ffp-contract=off)
+# Q_SIGNALS, Q_SLOTS and Q_EMIT are Qt's; the plain words stay ours.
+target_compile_definitions(romanesco_options INTERFACE QT_NO_KEYWORDS)
 if(ROMANESCO_WERROR)
     target_compile_options(romanesco_options INTERFACE -Werror)
 endif()

@@ -84,7 +84,7 @@ void Cut::begin(const Projector &projector, double pixelTolerance)
         return;
     }
     if (isSmall(bound)) {
-        emit(root.map, root.state, false);
+        place(root.map, root.state, false);
     } else {
         m_open.push_back({root.state, planes, root.map, norm});
     }
@@ -115,7 +115,7 @@ void Cut::visit(const Node &node)
     ++m_visited;
     const Expansion &expansion = m_table.expansion(node.state);
     if (expansion.hasLeaf) {
-        emit(node.map, node.state, true);
+        place(node.map, node.state, true);
     }
     std::size_t child = 0;
     for (const ChildRange &range : expansion.ranges) {
@@ -136,7 +136,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
     const FractalGraph &graph = m_scene.graph;
     const AffineMap composed = node.map * graph.set(range.set).maps[map];
     if (isSmall(seen)) {
-        emit(composed, range.next, false);
+        place(composed, range.next, false);
         return;
     }
     const double norm = std::min(node.norm * graph.norms(range.set)[map], frobeniusNorm(composed.linear));
@@ -145,7 +145,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
 
 /// Of the base mesh, moved to the unit sphere. Where it stands for more than itself (isWhole is false) and lies outside
 /// the bound of all that, it is fitted into that bound: a last level may move or shrink it far.
-void Cut::emit(const AffineMap &map, StateId state, bool isWhole)
+void Cut::place(const AffineMap &map, StateId state, bool isWhole)
 {
     const Sphere &base = m_scene.graph.base();
     glm::dvec3 centre = base.centre;

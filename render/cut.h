@@ -79,7 +79,7 @@ private:
 
     void visit(const Node &node);
     void addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound);
-    void emit(const AffineMap &map, StateId state, bool isWhole);
+    void place(const AffineMap &map, StateId state, bool isWhole);
     [[nodiscard]] bool isOutside(const Sphere &sphere, unsigned &planes) const;
     [[nodiscard]] bool isSmall(const Sphere &sphere) const;
     void forgetStates();

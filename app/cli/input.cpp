@@ -69,10 +69,8 @@ std::expected<QString, int> parseArguments(QCommandLineParser &parser, const cha
     parser.addOption(help);
     const bool isUnderstood = parser.parse(QStringList{name} + arguments);
     if (isUnderstood && parser.isSet(help)) {
-        std::print("{}",
-                   parser.helpText()
-                       .replace(QStringLiteral("Usage: romanesco"), QStringLiteral("Usage: ") + name)
-                       .toStdString());
+        // Without an application object Qt does not know the program's name.
+        std::print("{}", parser.helpText().replace(QLatin1String("<executable_name>"), name).toStdString());
         return std::unexpected(Done);
     }
     if (!isUnderstood) {

@@ -152,13 +152,17 @@ private:
         return numbers >= 2;
     }
 
-    /// A line that starts with a digit. If numbers follow, it was meant as a vector and keeps its number.
+    /// A line that starts with a number. If more follow, it was meant as a vector and keeps its number.
     void parseMisnamed()
     {
         const Token word = m_lexer.take();
-        const std::string_view name = word.text.substr(0, word.text.find('.'));
-        error(DiagnosticCode::NameStartsWithDigit, {word.range.begin, word.range.begin + name.size()},
-              {std::string(name)});
+        if (word.text[0] >= '0' && word.text[0] <= '9') {
+            const std::string_view name = word.text.substr(0, word.text.find('.'));
+            error(DiagnosticCode::NameStartsWithDigit, {word.range.begin, word.range.begin + name.size()},
+                  {std::string(name)});
+        } else {
+            error(DiagnosticCode::ExpectedDeclaration, word.range, {described(word)});
+        }
         if (m_lexer.peek().is(TokenKind::Number)) {
             add(VectorDeclaration{{{}, word.range}}, false);
         }
