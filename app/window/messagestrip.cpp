@@ -21,7 +21,7 @@ MessageStrip::MessageStrip(Closing closing, QWidget *parent)
     , m_label(new QLabel)
 {
     QPalette colours = palette();
-    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::ButtonText, QPalette::Link}) {
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::ButtonText}) {
         colours.setColor(role, ink);
     }
     colours.setColor(QPalette::Window, background);
@@ -53,9 +53,8 @@ void MessageStrip::say(const QString &text, bool isLink)
     m_isLink = isLink;
     // Names and messages may hold anything: never taken as markup.
     m_label->setTextFormat(isLink ? Qt::RichText : Qt::PlainText);
-    m_label->setText(
-        isLink ? QStringLiteral("<a href=\"#\" style=\"text-decoration: none\">%1</a>").arg(text.toHtmlEscaped())
-               : text);
+    const QString link = QStringLiteral("<a href=\"#\" style=\"text-decoration: none; color: %1\">%2</a>");
+    m_label->setText(isLink ? link.arg(ink.name(), text.toHtmlEscaped()) : text);
     setAccessibleName(text);
     setCursor(isLink ? Qt::PointingHandCursor : Qt::ArrowCursor);
     show();

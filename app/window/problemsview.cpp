@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include <QFontDatabase>
-#include <QHeaderView>
 #include <QPainter>
 
 #include "core/text/linemap.h"
@@ -16,6 +15,7 @@ namespace romanesco {
 namespace {
 
 enum Column { Place, Message };
+constexpr int columnGap = 24;
 
 QIcon dot(Severity severity)
 {
@@ -54,7 +54,6 @@ ProblemsView::ProblemsView(QWidget *parent)
     setUniformRowHeights(true);
     setFrameShape(NoFrame);
     setColumnCount(2);
-    header()->setSectionResizeMode(Place, QHeaderView::ResizeToContents);
     const auto choose = [this](QTreeWidgetItem *item) {
         Q_EMIT chosen(m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(item))].range, m_text);
     };
@@ -82,6 +81,8 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
         item->setToolTip(Message, message);
         item->setData(Message, Qt::AccessibleTextRole, tr("%1: %2", "severity: message").arg(word, message));
     }
+    resizeColumnToContents(Place);
+    setColumnWidth(Place, columnWidth(Place) + columnGap);
 }
 
 void ProblemsView::paintEvent(QPaintEvent *event)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
@@ -186,6 +187,7 @@ void Viewport::beginPictureIfDue()
     m_renderer->begin(view);
     m_begun = wanted;
     m_announcedSamples = 0;
+    m_isFinishAnnounced = false;
 }
 
 void Viewport::announceProgress()
@@ -198,11 +200,11 @@ void Viewport::announceProgress()
         }
         Q_EMIT pictureAdvanced(statistics, m_begun->pixelTolerance);
     }
-    if (m_renderer->isFinished()) {
+    if (m_renderer->isFinished() && !std::exchange(m_isFinishAnnounced, true)) {
         Q_EMIT pictureFailed(QString::fromStdString(m_renderer->error()));
-    }
-    if (isPictureFinished()) {
-        Q_EMIT pictureFinished();
+        if (isPictureFinished()) {
+            Q_EMIT pictureFinished();
+        }
     }
 }
 

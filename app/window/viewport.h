@@ -40,7 +40,7 @@ public:
     [[nodiscard]] bool isPictureFinished() const;
 
 Q_SIGNALS:
-    /// One more pass over the scene is in the picture.
+    /// One or more passes over the scene have come into the picture.
     void pictureAdvanced(const romanesco::DrawStatistics &statistics, double pixelTolerance);
     void pictureFinished();
     /// Drawing works from now on. system names the version of OpenGL and what implements it.
@@ -100,6 +100,7 @@ private:
 
     std::optional<Request> m_begun;
     int m_announcedSamples = 0;
+    bool m_isFinishAnnounced = false;
     /// How long one pass of the last fine picture took.
     double m_fineMilliseconds = 0.0;
 

@@ -13,13 +13,14 @@ WholeNumberBox::WholeNumberBox(QWidget *parent)
     : QAbstractSpinBox(parent)
 {
     lineEdit()->setText(QString::number(m_value));
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { m_isBeingTyped = true; });
     connect(this, &QAbstractSpinBox::editingFinished, this, &WholeNumberBox::takeText);
 }
 
 void WholeNumberBox::setValue(quint64 value)
 {
     m_value = std::min(value, maximum);
-    if (!lineEdit()->isModified()) {
+    if (!m_isBeingTyped) {
         lineEdit()->setText(QString::number(m_value));
     }
 }
@@ -61,7 +62,7 @@ QValidator::State WholeNumberBox::validate(QString &text, int &) const
 
 void WholeNumberBox::takeText()
 {
-    if (!lineEdit()->isModified()) {
+    if (!m_isBeingTyped) {
         return;
     }
     // An empty text is no number: the old one comes back.
@@ -73,7 +74,7 @@ void WholeNumberBox::takeText()
 void WholeNumberBox::change(quint64 value)
 {
     const bool isNew = value != m_value;
-    lineEdit()->setModified(false);
+    m_isBeingTyped = false;
     setValue(value);
     if (isNew) {
         Q_EMIT valueEdited(m_value);

@@ -36,6 +36,8 @@ private:
     void change(quint64 value);
 
     quint64 m_value = 0;
+    /// The text is the user's, not confirmed yet.
+    bool m_isBeingTyped = false;
 };
 
 }

@@ -18,6 +18,8 @@ using Matrix = std::vector<Vector>;
 constexpr std::size_t widestMatrix = 48;
 constexpr Position levelsOneByOne = 100'000;
 constexpr std::size_t mostStates = 100'000;
+/// Sums and products, over all levels that are looked at one by one.
+constexpr std::uint64_t mostTerms = 50'000'000;
 
 /// Maps that occur in the same sets and so always come together.
 struct Part {
@@ -81,8 +83,12 @@ private:
         return sum;
     }
 
-    void applyLevel(Slot slot, Vector &words) const
+    bool applyLevel(Slot slot, Vector &words)
     {
+        m_terms += words.size();
+        if (m_terms > mostTerms) {
+            return false;
+        }
         const SetId set = m_graph.levels().set(slot);
         Count after = total(words);
         if (!m_graph.set(set).holdsIdentity) {
@@ -91,6 +97,7 @@ private:
         for (const std::size_t part : m_partsOfSet[m_graph.canonical(set)]) {
             words[part + 1] = after;
         }
+        return true;
     }
 
     /// One pass of a repeat, from its last level up.
@@ -100,7 +107,9 @@ private:
         for (std::size_t i = repeat.inner.size(); i-- > 0;) {
             const LevelSequence::Repeat &inner = m_graph.levels().repeats()[repeat.inner[i]];
             for (; slot > inner.endSlot; --slot) {
-                applyLevel(slot - 1, words);
+                if (!applyLevel(slot - 1, words)) {
+                    return false;
+                }
             }
             if (!apply(repeat.inner[i], words)) {
                 return false;
@@ -108,7 +117,9 @@ private:
             slot = inner.firstSlot;
         }
         for (; slot > repeat.firstSlot; --slot) {
-            applyLevel(slot - 1, words);
+            if (!applyLevel(slot - 1, words)) {
+                return false;
+            }
         }
         return true;
     }
@@ -198,6 +209,7 @@ private:
     std::vector<std::vector<std::size_t>> m_partsOfSet;
     /// By repeat: what its whole run does, where that was needed.
     std::vector<Matrix> m_runs;
+    std::uint64_t m_terms = 0;
 };
 
 /// Whether some map is in a set with `#` and in one without. Then what follows it need not be nested, and words are

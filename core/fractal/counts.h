@@ -14,8 +14,9 @@ namespace romanesco {
 [[nodiscard]] Count instancesAsWritten(const FractalGraph &graph);
 
 /// The canonical words: instances that differ. Exact wherever Count is. Nothing where counting would take more than
-/// about a second: more than 48 different sets in a repeat of more than 10^5 levels, or a map shared by a set that may
-/// be passed over and one that may not, with more than 10^5 states.
+/// some seconds: more than 48 different sets in a repeat of more than 10^5 levels, thousands of levels of as many sets
+/// (levels times sets above 5·10^7), or a map shared by a set that may be passed over and one that may not, with more
+/// than 10^5 states.
 ///
 /// Counts from the last level up. L(p), the words from position p on, are the empty word (if no pick is needed) and,
 /// for each map m, m followed by what may come after m's first possible place. So the vector (1 if no pick is needed;

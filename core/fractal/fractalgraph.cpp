@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <unordered_map>
 
 namespace romanesco {
@@ -14,6 +15,7 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     FractalGraph graph;
     graph.m_levels = description.levels;
     graph.m_sets = description.sets;
+    graph.dropUnusedSets();
     for (const TransformSet &set : graph.m_sets) {
         std::vector<double> &norms = graph.m_norms.emplace_back();
         norms.reserve(set.maps.size());
@@ -30,17 +32,33 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     if (std::isfinite(whole.radius) && std::isfinite(whole.radius * whole.radius)) {
         return graph;
     }
-    SourceRange strongest = description.meshRange;
-    double largest = 1.0;
-    for (std::size_t i = 0; i < graph.m_sets.size(); ++i) {
-        for (std::size_t j = 0; j < graph.m_norms[i].size(); ++j) {
-            if (graph.m_norms[i][j] > largest) {
-                largest = graph.m_norms[i][j];
-                strongest = graph.m_sets[i].uses[j];
+    return std::unexpected(graph.strongestGrowth().value_or(description.meshRange));
+}
+
+/// The transformation that enlarges most; where none does, the one that moves farthest, if that is farther than the mesh
+/// reaches.
+std::optional<SourceRange> FractalGraph::strongestGrowth() const
+{
+    std::optional<SourceRange> strongest;
+    std::optional<SourceRange> farthest;
+    double largestNorm = 1.0;
+    double largestMove =
+        std::max({std::abs(base().centre.x), std::abs(base().centre.y), std::abs(base().centre.z), base().radius});
+    for (std::size_t i = 0; i < m_sets.size(); ++i) {
+        for (std::size_t j = 0; j < m_norms[i].size(); ++j) {
+            if (m_norms[i][j] > largestNorm) {
+                largestNorm = m_norms[i][j];
+                strongest = m_sets[i].uses[j];
+            }
+            const glm::dvec3 &move = m_sets[i].maps[j].translation;
+            const double largest = std::max({std::abs(move.x), std::abs(move.y), std::abs(move.z)});
+            if (largest > largestMove) {
+                largestMove = largest;
+                farthest = m_sets[i].uses[j];
             }
         }
     }
-    return std::unexpected(strongest);
+    return strongest ? strongest : farthest;
 }
 
 FractalGraph FractalGraph::ofMesh(const Sphere &base)
@@ -49,6 +67,20 @@ FractalGraph FractalGraph::ofMesh(const Sphere &base)
     graph.m_levels = LevelSequence::Builder().build();
     graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_norms, base);
     return graph;
+}
+
+/// A text may hold sets that are in no level of its result; they say nothing about it.
+void FractalGraph::dropUnusedSets()
+{
+    std::vector<bool> isUsed(m_sets.size());
+    for (LevelSequence::Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+        isUsed[m_levels.set(slot)] = true;
+    }
+    for (SetId id = 0; id < m_sets.size(); ++id) {
+        if (!isUsed[id]) {
+            m_sets[id] = {};
+        }
+    }
 }
 
 void FractalGraph::classifyMaps()
@@ -73,7 +105,7 @@ void FractalGraph::findEqualSets()
         std::ranges::sort(content);
         const SetId first = known.try_emplace({std::move(content), m_sets[id].holdsIdentity}, id).first->second;
         m_canonical.push_back(first);
-        m_distinctSetCount += first == id ? 1 : 0;
+        m_distinctSetCount += first == id && m_sets[id].size() != 0 ? 1 : 0;
         for (const std::uint32_t number : m_mapClasses[id]) {
             m_setsShareMaps = m_setsShareMaps || (owner[number] != m_sets.size() && owner[number] != first);
             owner[number] = first;
@@ -81,20 +113,35 @@ void FractalGraph::findEqualSets()
     }
 }
 
-/// The last position whose level cannot be passed over lies in the last pass of each repeat round its slot.
+/// The last position whose level cannot be passed over lies in the last pass of each repeat round its slot: found from
+/// the end of the whole inwards, over whole repeats that can be passed and into the last that cannot.
 void FractalGraph::findLastFixedLevel()
 {
-    Position position = m_levels.levelCount();
-    while (position > 0) {
-        const auto [slot, index, end] = m_levels.locate(position - 1);
-        if (!setAt(slot).holdsIdentity) {
-            break;
+    using Slot = LevelSequence::Slot;
+    const std::vector<LevelSequence::Repeat> &repeats = m_levels.repeats();
+    const auto holdsIdentity = [&](Slot slot) { return setAt(slot).holdsIdentity; };
+    m_passableFrom = m_levels.levelCount();
+    std::uint32_t at = 0;
+    Slot slot = repeats[at].endSlot;
+    std::size_t inner = repeats[at].inner.size();
+    while (slot > repeats[at].firstSlot) {
+        const std::uint32_t last = inner > 0 ? repeats[at].inner[inner - 1] : 0;
+        const bool endsRepeat = inner > 0 && repeats[last].endSlot == slot;
+        if (!endsRepeat) {
+            if (!holdsIdentity(slot - 1)) {
+                return;
+            }
+            --slot;
+            --m_passableFrom;
+        } else if (std::ranges::all_of(std::views::iota(repeats[last].firstSlot, slot), holdsIdentity)) {
+            slot = repeats[last].firstSlot;
+            m_passableFrom -= repeats[last].length();
+            --inner;
+        } else {
+            at = last;
+            inner = repeats[at].inner.size();
         }
-        const LevelSequence::Repeat &repeat = m_levels.repeats()[index];
-        const bool isWholePass = slot == repeat.firstSlot && index != 0 && end - (position - 1) == repeat.passLength;
-        position = isWholePass ? end - repeat.length() : position - 1;
     }
-    m_passableFrom = position;
 }
 
 FractalGraph::Reach FractalGraph::reach(Position position) const

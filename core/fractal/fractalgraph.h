@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <vector>
 
 #include "core/formats/fractaldescription.h"
@@ -24,7 +25,7 @@ class FractalGraph
 {
 public:
     /// base is a sphere round the base mesh. The error is a transformation's place in the text: the fractal grows
-    /// beyond what a double holds, by that transformation most of all.
+    /// beyond what a double holds, by that transformation most of all (or the mesh's place, where that is to blame).
     [[nodiscard]] static std::expected<FractalGraph, SourceRange> build(const FractalDescription &description,
                                                                         const Sphere &base);
 
@@ -33,6 +34,7 @@ public:
 
     [[nodiscard]] const LevelSequence &levels() const { return m_levels; }
     [[nodiscard]] std::size_t setCount() const { return m_sets.size(); }
+    /// Empty where no level has the set.
     [[nodiscard]] const TransformSet &set(SetId id) const { return m_sets[id]; }
     [[nodiscard]] const TransformSet &setAt(LevelSequence::Slot slot) const { return m_sets[m_levels.set(slot)]; }
 
@@ -76,9 +78,11 @@ public:
 
 private:
     FractalGraph() = default;
+    void dropUnusedSets();
     void classifyMaps();
     void findEqualSets();
     void findLastFixedLevel();
+    [[nodiscard]] std::optional<SourceRange> strongestGrowth() const;
 
     LevelSequence m_levels;
     std::vector<TransformSet> m_sets;

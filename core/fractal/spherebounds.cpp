@@ -179,7 +179,7 @@ private:
     }
 
     /// Centres by iterating the content until they settle; radii for those centres by iterating the largest reach; then
-    /// a margin, until the inclusions hold as they stand.
+    /// a margin, until each holds its content as it stands.
     bool findInvariant()
     {
         groupSlots();
@@ -217,7 +217,7 @@ private:
             for (Sphere &sphere : spheres) {
                 sphere.radius *= 1.0 + margin;
             }
-            if (isInvariant()) {
+            if (settle()) {
                 for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
                     spheres[slot] = spheres[m_group[slot]];
                 }
@@ -227,14 +227,28 @@ private:
         return false;
     }
 
-    bool isInvariant()
+    /// Enlarges what does not hold its content until all do. What `#` passes on unchanged leaves no room for rounding, so
+    /// that a margin on all alike is not enough; what maps pass on has shrunk, so that this ends soon.
+    bool settle()
     {
-        bool holds = true;
-        forEachGroup([&](Slot slot) {
-            const Sphere &outer = m_bounds.m_invariant[slot];
-            holds = holds && std::ranges::all_of(contentOf(slot), [&](const Sphere &s) { return contains(outer, s); });
-        });
-        return holds;
+        constexpr int rounds = 64;
+        for (int round = 0; round < rounds; ++round) {
+            bool isSettled = true;
+            bool isFinite = true;
+            forEachGroup([&](Slot slot) {
+                Sphere &sphere = m_bounds.m_invariant[slot];
+                const double needed = enclosingRadius(sphere.centre, contentOf(slot));
+                isFinite = isFinite && std::isfinite(needed);
+                if (needed > sphere.radius) {
+                    sphere.radius = needed;
+                    isSettled = false;
+                }
+            });
+            if (isSettled || !isFinite) {
+                return isFinite;
+            }
+        }
+        return false;
     }
 
     // ---- Growth

@@ -25,7 +25,8 @@ double roundingBound(const glm::dvec3 &centre, double radius)
 double lengthOf(const glm::dvec3 &v)
 {
     const double simple = glm::length(v);
-    return simple > 1e-140 && simple < 1e150 ? simple : std::hypot(v.x, v.y, v.z);
+    const bool isGood = (simple > 1e-140 && simple < 1e150) || std::isnan(simple); // hypot may lose a NaN
+    return isGood ? simple : std::hypot(v.x, v.y, v.z);
 }
 
 double distanceBetween(const glm::dvec3 &a, const glm::dvec3 &b)
@@ -64,7 +65,11 @@ double enclosingRadius(const glm::dvec3 &centre, std::span<const Sphere> spheres
     double radius = -1.0;
     for (const Sphere &sphere : spheres) {
         if (!sphere.isEmpty()) {
-            radius = std::max(radius, distanceBetween(centre, sphere.centre) + sphere.radius);
+            const double reach = distanceBetween(centre, sphere.centre) + sphere.radius;
+            if (!std::isfinite(reach)) { // also where infinities have made a NaN
+                return std::numeric_limits<double>::infinity();
+            }
+            radius = std::max(radius, reach);
         }
     }
     return radius < 0.0 ? radius : radius + roundingBound(centre, radius);
@@ -78,6 +83,9 @@ Sphere enclosingSphere(std::span<const Sphere> spheres)
     }
     glm::dvec3 centre = middleOfBox(spheres);
     Sphere best{centre, enclosingRadius(centre, spheres)};
+    if (!std::isfinite(best.radius)) { // from there the distances overflow
+        return {glm::dvec3(0.0), none};
+    }
     const int steps = static_cast<int>(std::clamp<std::size_t>(200'000 / spheres.size(), 4, 48));
     for (int step = 1; step <= steps; ++step) {
         // Towards the far side of the farthest sphere, by ever smaller steps.
@@ -90,9 +98,12 @@ Sphere enclosingSphere(std::span<const Sphere> spheres)
                 farthest = &sphere;
             }
         }
+        if (!farthest) {
+            break;
+        }
         const glm::dvec3 offset = farthest->centre - centre;
         const double distance = lengthOf(offset);
-        if (distance == 0.0) {
+        if (distance == 0.0 || !std::isfinite(reach / distance)) {
             break;
         }
         centre += offset * (reach / distance / (step + 2.0));

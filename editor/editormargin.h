@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QWidget>
+
+namespace romanesco {
+
+class FdoEditor;
+
+/// The strip left of the text: line numbers, and a bar beside each line that has a problem. A click puts the cursor into
+/// the line.
+class EditorMargin : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit EditorMargin(FdoEditor &editor);
+
+    /// Wide enough for the number of the last line.
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    bool event(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    [[nodiscard]] int lineAt(int y) const;
+
+    FdoEditor &m_editor;
+};
+
+}

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include <signal.h>
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/testmain.h"
+
+namespace {
+
+const QString examples = QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/");
+
+struct Outcome {
+    int status = -1;
+    bool isCrash = false;
+    QByteArray out;
+    QByteArray err;
+};
+
+Outcome outcomeOf(QProcess &process)
+{
+    process.waitForFinished(120'000);
+    return {process.exitCode(), process.exitStatus() == QProcess::CrashExit, process.readAllStandardOutput(),
+            process.readAllStandardError()};
+}
+
+Outcome run(const QStringList &arguments, const QByteArray &input = {},
+            const QProcessEnvironment &environment = QProcessEnvironment::systemEnvironment())
+{
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(ROMANESCO_PROGRAM), arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    return outcomeOf(process);
+}
+
+void write(const QString &path, const QByteArray &bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    QCOMPARE(file.write(bytes), bytes.size());
+}
+
+const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+}
+
+class TestCommands : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+
+    QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        write(path("triangle.obj"), triangle);
+        write(path("good.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, #, #)\nz<x>. [#, t.1] x\n<$>. z 3\n");
+        write(path("plain.fdo"), "<$>. \"triangle.obj\"\n");
+        write(path("empty.fdo"), "");
+        write(path("syntax.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, # #)\n<$>. x\n");
+        write(path("nomesh.fdo"), "x. \"gone.obj\"\n<$>. x\n");
+        QVERIFY(QDir(m_folder.path()).mkdir(QStringLiteral("folder.fdo")));
+    }
+
+    void infoCountsAppendixB()
+    {
+        const Outcome outcome = run({QStringLiteral("info"), examples + QStringLiteral("appendix-b.fdo")});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(outcome.out.contains("244140625"));
+        QVERIFY(outcome.out.contains("172855881"));
+        QCOMPARE(outcome.err, QByteArray());
+    }
+
+    void infoSpeaksJson()
+    {
+        const Outcome outcome =
+            run({QStringLiteral("info"), QStringLiteral("--json"), examples + QStringLiteral("appendix-b.fdo")});
+        QCOMPARE(outcome.status, 0);
+        const QJsonObject object = QJsonDocument::fromJson(outcome.out).object();
+        QCOMPARE(object[QStringLiteral("instances_as_written")].toString(), QStringLiteral("244140625"));
+        QCOMPARE(object[QStringLiteral("instances_distinct")].toString(), QStringLiteral("172855881"));
+        QCOMPARE(object[QStringLiteral("transforms_per_iteration")].toInt(), 25);
+        QCOMPARE(object[QStringLiteral("depth")].toInt(), 6);
+        QCOMPARE(object[QStringLiteral("levels")].toArray().size(), 12);
+        QCOMPARE(object[QStringLiteral("faces_per_base")].toInt(), 14);
+        QVERIFY(object[QStringLiteral("contracting")].toBool());
+    }
+
+    void depthReplacesTheTextsDepth()
+    {
+        const Outcome outcome = run({QStringLiteral("info"), path("good.fdo"), QStringLiteral("--depth"),
+                                     QStringLiteral("10")});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(outcome.out.contains("1024 as written"));
+        QVERIFY(outcome.out.contains("11 distinct"));
+    }
+
+    void dashReadsStandardInput()
+    {
+        const Outcome outcome = run({QStringLiteral("info"), QStringLiteral("-")}, "<$>. nothing\n");
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.err.startsWith("<stdin>:1:6: error: "), outcome.err);
+    }
+
+    void badInputIsToldAtItsPlace_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QByteArray>("message");
+        QTest::newRow("empty file") << "empty.fdo" << QByteArray("empty.fdo:1:1: error: the file has no result");
+        QTest::newRow("syntax error") << "syntax.fdo" << QByteArray("syntax.fdo:3:12: error: \",\" expected");
+        QTest::newRow("missing mesh") << "nomesh.fdo" << QByteArray("nomesh.fdo:1:4: error: cannot read \"gone.obj\"");
+        QTest::newRow("missing file") << "gone.fdo" << QByteArray("gone.fdo: no such file");
+        QTest::newRow("folder") << "folder.fdo" << QByteArray("it is a directory");
+        QTest::newRow("another kind") << "picture.png" << QByteArray("only .fdo and .obj files");
+    }
+
+    void badInputIsToldAtItsPlace()
+    {
+        QFETCH(const QString, file);
+        QFETCH(const QByteArray, message);
+        const QString input = m_folder.filePath(file);
+        const QString output = path("bad.png");
+        for (const QStringList &arguments : {QStringList{QStringLiteral("info"), input},
+                                             QStringList{QStringLiteral("render"), input, QStringLiteral("-o"), output}}) {
+            const Outcome outcome = run(arguments);
+            QCOMPARE(outcome.status, 1);
+            QVERIFY2(outcome.err.contains(message), outcome.err);
+            QCOMPARE(outcome.out, QByteArray());
+        }
+        QVERIFY(!QFile::exists(output));
+    }
+
+    void wrongUsageIsStatus2_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        const QString good = path("good.fdo");
+        const auto row = [](const char *name, const QStringList &arguments) { QTest::newRow(name) << arguments; };
+        row("no file", {"info"});
+        row("two files", {"info", good, good});
+        row("unknown option", {"info", "--colour", good});
+        row("unknown command", {"exprot"});
+        row("unknown global option", {"--colour"});
+        row("no output", {"render", good});
+        row("bad size", {"render", good, "-o", "a.png", "--size", "12"});
+        row("size too large", {"render", good, "-o", "a.png", "--size", "100000x10"});
+        row("no samples", {"render", good, "-o", "a.png", "--samples", "0"});
+        row("negative tolerance", {"render", good, "-o", "a.png", "--pixel-tolerance", "-1"});
+        row("nan tolerance", {"render", good, "-o", "a.png", "--pixel-tolerance", "nan"});
+        row("bad colour", {"render", good, "-o", "a.png", "--background", "red"});
+        row("bad depth", {"info", good, "--depth", "x"});
+        row("negative depth", {"info", good, "--depth=-1"});
+        row("depth where there is none", {"info", path("plain.fdo"), "--depth", "3"});
+        row("depth of a mesh", {"info", path("triangle.obj"), "--depth", "3"});
+    }
+
+    void wrongUsageIsStatus2()
+    {
+        QFETCH(const QStringList, arguments);
+        const Outcome outcome = run(arguments);
+        QCOMPARE(outcome.status, 2);
+        QVERIFY2(outcome.err.startsWith("romanesco: "), outcome.err);
+        QCOMPARE(outcome.out, QByteArray());
+    }
+
+    void helpAndVersionGoToStandardOutput()
+    {
+        const Outcome help = run({QStringLiteral("--help")});
+        QCOMPARE(help.status, 0);
+        QVERIFY(help.out.contains("render"));
+        const Outcome version = run({QStringLiteral("--version")});
+        QCOMPARE(version.status, 0);
+        QVERIFY(version.out.startsWith("romanesco "));
+        const Outcome command = run({QStringLiteral("render"), QStringLiteral("--help")});
+        QCOMPARE(command.status, 0);
+        QVERIFY(command.out.contains("--pixel-tolerance"));
+        QCOMPARE(help.err + version.err + command.err, QByteArray());
+    }
+
+    void renderWritesAPictureOfTheAskedSize()
+    {
+        const QString output = path("good.png");
+        const Outcome outcome = run({QStringLiteral("render"), path("good.fdo"), QStringLiteral("-o"), output,
+                                     QStringLiteral("--size"), QStringLiteral("200x100"), QStringLiteral("--samples"),
+                                     QStringLiteral("1"), QStringLiteral("--background"), QStringLiteral("#0000ff")});
+        QVERIFY2(outcome.status == 0, outcome.err);
+        const QImage image(output);
+        QCOMPARE(image.size(), QSize(200, 100));
+        int covered = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                covered += image.pixel(x, y) != qRgb(0, 0, 255) ? 1 : 0;
+            }
+        }
+        QVERIFY2(covered > 500 && covered < 15'000, qPrintable(QString::number(covered)));
+    }
+
+    void dashWritesThePictureToStandardOutput()
+    {
+        const Outcome outcome = run({QStringLiteral("render"), path("good.fdo"), QStringLiteral("-o"),
+                                     QStringLiteral("-"), QStringLiteral("--size"), QStringLiteral("64x48")});
+        QVERIFY2(outcome.status == 0, outcome.err);
+        QCOMPARE(QImage::fromData(outcome.out, "PNG").size(), QSize(64, 48));
+    }
+
+    void whatCannotBeWrittenIsStatus3_data()
+    {
+        QTest::addColumn<QString>("output");
+        QTest::newRow("folder") << m_folder.path();
+        QTest::newRow("device") << QStringLiteral("/dev/null");
+        QTest::newRow("missing folder") << path("gone/a.png");
+        QTest::newRow("full device on standard output") << QStringLiteral("-");
+    }
+
+    void whatCannotBeWrittenIsStatus3()
+    {
+        QFETCH(const QString, output);
+        QProcess process;
+        if (output == QLatin1String("-")) {
+            process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        }
+        process.start(QStringLiteral(ROMANESCO_PROGRAM), {QStringLiteral("render"), path("good.fdo"),
+                                                          QStringLiteral("-o"), output, QStringLiteral("--size"),
+                                                          QStringLiteral("64x48")});
+        const Outcome outcome = outcomeOf(process);
+        QCOMPARE(outcome.status, 3);
+        QVERIFY2(outcome.err.contains("cannot write"), outcome.err);
+    }
+
+    void cancellingLeavesNoFile()
+    {
+        const QString output = path("cancelled.png");
+        QProcess process;
+        process.start(QStringLiteral(ROMANESCO_PROGRAM),
+                      {QStringLiteral("render"), examples + QStringLiteral("menger.fdo"), QStringLiteral("-o"), output,
+                       QStringLiteral("--samples"), QStringLiteral("4096")});
+        QVERIFY(process.waitForStarted());
+        // It takes minutes; the default action of the signal is replaced once drawing begins.
+        QTest::qWait(3'000);
+        QCOMPARE(process.state(), QProcess::Running);
+        QCOMPARE(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
+        const Outcome outcome = outcomeOf(process);
+        QVERIFY(!outcome.isCrash);
+        QCOMPARE(outcome.status, 3);
+        QVERIFY2(outcome.err.contains("cancelled"), outcome.err);
+        const QStringList left = QDir(m_folder.path()).entryList({QStringLiteral("cancelled*")});
+        QVERIFY2(left.isEmpty(), qPrintable(left.join(QLatin1Char(' '))));
+    }
+
+    void withoutADisplayTheEditorSaysSo_data()
+    {
+        QTest::addColumn<QString>("display");
+        QTest::newRow("none") << QString();
+        QTest::newRow("dead") << QStringLiteral(":98765");
+    }
+
+    void withoutADisplayTheEditorSaysSo()
+    {
+        QFETCH(const QString, display);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+            environment.remove(QLatin1String(name));
+        }
+        if (!display.isEmpty()) {
+            environment.insert(QStringLiteral("DISPLAY"), display);
+        }
+        const Outcome outcome = run({path("good.fdo")}, {}, environment);
+        QVERIFY(!outcome.isCrash);
+        QCOMPARE(outcome.status, 3);
+        QVERIFY2(outcome.err.contains("no display"), outcome.err);
+    }
+
+    void withoutOpenGlRenderSaysSo_data()
+    {
+        QTest::addColumn<QString>("variable");
+        QTest::addColumn<QString>("value");
+        QTest::newRow("no driver") << "__EGL_VENDOR_LIBRARY_FILENAMES" << "/nonexistent.json";
+        QTest::newRow("OpenGL 2.1") << "MESA_GL_VERSION_OVERRIDE" << "2.1";
+    }
+
+    void withoutOpenGlRenderSaysSo()
+    {
+        QFETCH(const QString, variable);
+        QFETCH(const QString, value);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(variable, value);
+        const QString output = path("nogl.png");
+        const Outcome outcome =
+            run({QStringLiteral("render"), path("good.fdo"), QStringLiteral("-o"), output}, {}, environment);
+        QVERIFY(!outcome.isCrash);
+        QCOMPARE(outcome.status, 3);
+        QVERIFY2(outcome.err.contains("OpenGL 4.5"), outcome.err);
+        QVERIFY(!QFile::exists(output));
+    }
+};
+
+ROMANESCO_TEST(TestCommands)
+
+#include "testcommands.moc"

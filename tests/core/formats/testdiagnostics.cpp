@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include "core/formats/fdoresolver.h"
+#include "core/text/linemap.h"
+#include "tests/testmain.h"
+
+namespace romanesco::test {
+
+namespace {
+
+QString folder()
+{
+    return QStringLiteral(ROMANESCO_SOURCE_DIR "/tests/golden/diagnostics");
+}
+
+QByteArray bytesOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Each line that has something said about it, and below it what is said and of what.
+QByteArray annotated(const std::string &text)
+{
+    const FdoResult result = readFdo(text);
+    const LineMap lines(text);
+    QByteArray out;
+    std::size_t shown = 0;
+    for (const Diagnostic &diagnostic : result.diagnostics) {
+        const TextPosition begin = lines.position(diagnostic.range.begin);
+        const TextPosition end = lines.position(diagnostic.range.end);
+        if (begin.line != shown) {
+            const SourceRange line = lines.line(begin.line - 1);
+            out += QByteArray::number(begin.line) + ": "
+                + QByteArray::fromStdString(text.substr(line.begin, line.length())) + '\n';
+            shown = begin.line;
+        }
+        out += "    " + QByteArray::number(begin.column) + '-'
+            + (end.line == begin.line ? QByteArray::number(end.column) : QByteArray("another line")) + ' '
+            + name(diagnostic.severity()).data() + ' ' + name(diagnostic.code).data() + ": "
+            + QByteArray::fromStdString(diagnostic.message()) + '\n';
+    }
+    return out + (result.description ? "means something\n" : "means nothing\n");
+}
+
+}
+
+/// Golden: every sample in tests/golden/diagnostics against the remarks written beside it. tests/golden/accept writes
+/// them anew.
+class TestDiagnostics : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void samplesGetTheirRemarks_data();
+    void samplesGetTheirRemarks();
+    void aLineGetsOneError();
+    void everyDiagnosticOfFdoOccurs();
+};
+
+void TestDiagnostics::samplesGetTheirRemarks_data()
+{
+    QTest::addColumn<QString>("path");
+    for (const QString &name : QDir(folder()).entryList({QStringLiteral("*.fdo")}, QDir::Files, QDir::Name)) {
+        QTest::newRow(qPrintable(name)) << folder() + QLatin1Char('/') + name;
+    }
+}
+
+void TestDiagnostics::samplesGetTheirRemarks()
+{
+    QFETCH(QString, path);
+    const QByteArray found = annotated(bytesOf(path).toStdString());
+    const QString expectedPath = path + QStringLiteral(".expected");
+    if (qEnvironmentVariableIsSet("ROMANESCO_ACCEPT")) {
+        QFile file(expectedPath);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        QCOMPARE(file.write(found), found.size());
+        return;
+    }
+    const QList<QByteArray> expectedLines = bytesOf(expectedPath).split('\n');
+    const QList<QByteArray> foundLines = found.split('\n');
+    for (qsizetype i = 0; i < std::min(expectedLines.size(), foundLines.size()); ++i) {
+        QCOMPARE(foundLines[i], expectedLines[i]);
+    }
+    QCOMPARE(foundLines.size(), expectedLines.size());
+}
+
+/// One slip, one message.
+void TestDiagnostics::aLineGetsOneError()
+{
+    for (const QFileInfo &info : QDir(folder()).entryInfoList({QStringLiteral("*.fdo")}, QDir::Files)) {
+        const std::string text = bytesOf(info.filePath()).toStdString();
+        const LineMap lines(text);
+        std::set<std::size_t> seen;
+        for (const Diagnostic &diagnostic : readFdo(text).diagnostics) {
+            const std::size_t line = lines.position(diagnostic.range.begin).line;
+            if (diagnostic.isError()) {
+                QVERIFY2(seen.insert(line).second,
+                         qPrintable(info.fileName() + QLatin1Char(':') + QString::number(line)));
+            }
+        }
+    }
+}
+
+/// So that a new message comes with a sample. Left out are those that need a mesh or bytes that are no text, and two that
+/// nothing reports.
+void TestDiagnostics::everyDiagnosticOfFdoOccurs()
+{
+    std::set<DiagnosticCode> missing;
+    for (int i = 0; i < static_cast<int>(DiagnosticCode::ObjTooFewCoordinates); ++i) {
+        missing.insert(static_cast<DiagnosticCode>(i));
+    }
+    for (const DiagnosticCode elsewhere : {DiagnosticCode::NotUtf8, DiagnosticCode::CannotRead, DiagnosticCode::BadMesh,
+                                           DiagnosticCode::MeshWithoutFaces, DiagnosticCode::Overflow,
+                                           DiagnosticCode::MapOverflows, DiagnosticCode::UnexpectedCharacter}) {
+        missing.erase(elsewhere);
+    }
+    for (const QString &name : QDir(folder()).entryList({QStringLiteral("*.fdo")}, QDir::Files)) {
+        for (const Diagnostic &diagnostic :
+             readFdo(bytesOf(folder() + QLatin1Char('/') + name).toStdString()).diagnostics) {
+            missing.erase(diagnostic.code);
+        }
+    }
+    QByteArray names;
+    for (const DiagnosticCode code : missing) {
+        names += QByteArray(name(code).data()) + ' ';
+    }
+    QCOMPARE(names, QByteArray());
+}
+
+}
+
+ROMANESCO_TEST(romanesco::test::TestDiagnostics)
+
+#include "testdiagnostics.moc"

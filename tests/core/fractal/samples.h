@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <QFile>
+#include <QString>
+
+#include "core/formats/fdoresolver.h"
+#include "core/formats/objreader.h"
+#include "core/fractal/fractalgraph.h"
+#include "tests/core/naive.h"
+
+/// The examples that come with the program, at any depth.
+namespace romanesco::test {
+
+struct Sample {
+    FractalDescription description;
+    Mesh mesh;
+    FractalGraph graph;
+};
+
+inline std::string exampleText(const QString &file)
+{
+    QFile source(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/") + file);
+    return source.open(QIODevice::ReadOnly) ? source.readAll().toStdString() : std::string();
+}
+
+inline Sample sample(const QString &name, std::uint64_t depth)
+{
+    std::string text = exampleText(name + QStringLiteral(".fdo"));
+    const SourceRange digits = readFdo(text).description.value().depth.value().range;
+    text.replace(digits.begin, digits.length(), std::to_string(depth));
+    FractalDescription description = readFdo(text).description.value();
+    Mesh mesh = readObj(exampleText(QString::fromStdString(description.meshPath))).mesh;
+    FractalGraph graph = FractalGraph::build(description, boundingSphere(mesh)).value();
+    return {std::move(description), std::move(mesh), std::move(graph)};
+}
+
+}

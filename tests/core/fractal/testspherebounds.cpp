@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include <cmath>
+#include <limits>
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "core/geometry/affinemap.h"
+#include "tests/core/fractal/samples.h"
+#include "tests/testmain.h"
+
+namespace romanesco::test {
+
+namespace {
+
+using naive::Affine;
+using naive::Point;
+
+long double distance(const Point &p, const glm::dvec3 &q)
+{
+    const Point d{p[0] - q.x, p[1] - q.y, p[2] - q.z};
+    return std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
+
+bool holds(const Sphere &sphere, const Point &point, long double slack = 0)
+{
+    return distance(point, sphere.centre) <= sphere.radius * (1 + slack);
+}
+
+std::vector<Point> points(const Mesh &mesh)
+{
+    std::vector<Point> all;
+    for (const auto &face : mesh.faces) {
+        for (const std::uint32_t index : face) {
+            const glm::dvec3 &v = mesh.vertices[index];
+            all.push_back({v.x, v.y, v.z});
+        }
+    }
+    return all;
+}
+
+double uniform(std::mt19937_64 &random, double least, double greatest)
+{
+    return std::uniform_real_distribution<double>(least, greatest)(random);
+}
+
+/// Similar, unequal, mirrored, flat or sheared; of norm `largest` at most, or nearly.
+AffineMap randomMap(std::mt19937_64 &random, double largest)
+{
+    const auto angle = [&] { return uniform(random, -360, 360); };
+    const auto size = [&] { return uniform(random, 0.2 * largest, largest); };
+    glm::dvec3 scale(size());
+    switch (random() % 6) {
+    case 0:
+        scale = {size(), size(), size()};
+        break;
+    case 1:
+        scale.x = -scale.x;
+        break;
+    case 2:
+        scale.z = 0;
+        break;
+    default:
+        break;
+    }
+    AffineMap map = mapFromParts({uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)},
+                                 {angle(), angle(), angle()}, scale);
+    if (random() % 6 == 0) {
+        map.linear[1] += 0.2 * largest * map.linear[0];
+    }
+    return map;
+}
+
+naive::Fractal randomFractal(std::mt19937_64 &random, double largest)
+{
+    while (true) {
+        naive::Fractal fractal;
+        for (int i = 0; i < 3; ++i) {
+            fractal.maps.push_back(randomMap(random, largest));
+        }
+        fractal.sets = naive::randomSets(random, 3);
+        fractal.items = naive::randomItems(random, fractal.sets.size(), 0, 9);
+        const naive::Levels levels = fractal.levels();
+        if (levels.size() >= 2 && levels.size() <= 24 && naive::wordsAsWritten(levels) <= 3'000) {
+            return fractal;
+        }
+    }
+}
+
+Mesh randomMesh(std::mt19937_64 &random)
+{
+    Mesh mesh;
+    const glm::dvec3 offset(uniform(random, -3, 3), 0, uniform(random, -1, 1));
+    for (int i = 0; i < 4; ++i) {
+        mesh.vertices.push_back(offset
+                                + glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)));
+    }
+    mesh.faces = {{0, 1, 2}, {1, 2, 3}};
+    return mesh;
+}
+
+/// The levels of any description as maps, for folding points through them.
+struct Folder {
+    explicit Folder(const FractalDescription &description)
+        : levels(description.levels)
+    {
+        for (const TransformSet &set : description.sets) {
+            std::vector<Affine> &list = maps.emplace_back();
+            for (const AffineMap &map : set.maps) {
+                list.push_back(naive::fromCore(map));
+            }
+            if (set.holdsIdentity) {
+                list.emplace_back();
+            }
+        }
+    }
+
+    /// Through one map of a level, or past it.
+    [[nodiscard]] Point fold(Position position, const Point &point, std::mt19937_64 &random) const
+    {
+        const std::vector<Affine> &list = maps[levels.set(levels.locate(position).slot)];
+        return naive::applied(list[random() % list.size()], point);
+    }
+
+    const LevelSequence &levels;
+    std::vector<std::vector<Affine>> maps;
+};
+
+}
+
+class TestSphereBounds : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyPositionsBoundHoldsWhatFollows_data();
+    void everyPositionsBoundHoldsWhatFollows();
+    void contractingSetsShareATightBoundAtAnyDepth();
+    void foldedPointsStayInsideAtGreatDepth_data();
+    void foldedPointsStayInsideAtGreatDepth();
+    void attractorsStayInsideAtTheGreatestDepths_data();
+    void attractorsStayInsideAtTheGreatestDepths();
+    void boundsDoNotGrowWithTheDepth_data();
+    void boundsDoNotGrowWithTheDepth();
+    void movesAloneAreBoundedByTheirSum_data();
+    void movesAloneAreBoundedByTheirSum();
+    void growthIsFollowedAsFarAsNumbersGo();
+    void buildingTakesKilobytesAtAnyDepth();
+    void theEndIsTheMesh();
+};
+
+void TestSphereBounds::everyPositionsBoundHoldsWhatFollows_data()
+{
+    QTest::addColumn<double>("largest");
+    QTest::newRow("strongly contracting") << 0.1;
+    QTest::newRow("contracting") << 0.5;
+    QTest::newRow("hardly contracting") << 0.97;
+    QTest::newRow("growing") << 1.7;
+}
+
+void TestSphereBounds::everyPositionsBoundHoldsWhatFollows()
+{
+    QFETCH(double, largest);
+    std::mt19937_64 random(21);
+    for (int round = 0; round < 250; ++round) {
+        const naive::Fractal fractal = randomFractal(random, largest);
+        const Mesh mesh = randomMesh(random);
+        const FractalGraph graph = FractalGraph::build(fractal.description(), boundingSphere(mesh)).value();
+        const naive::Levels levels = fractal.levels();
+        std::vector<Affine> maps;
+        for (const AffineMap &map : fractal.maps) {
+            maps.push_back(naive::fromCore(map));
+        }
+        // From the end up: what the levels from a position on make, written out.
+        std::vector<Point> all = points(mesh);
+        for (std::size_t position = levels.size(); position-- > 0;) {
+            std::vector<Point> longer;
+            if (levels[position].mayPass) {
+                longer = all;
+            }
+            for (const int map : levels[position].maps) {
+                for (const Point &point : all) {
+                    longer.push_back(naive::applied(maps[static_cast<std::size_t>(map)], point));
+                }
+            }
+            all = std::move(longer);
+            const Sphere bound = graph.bound(position);
+            for (const Point &point : all) {
+                if (!holds(bound, point)) {
+                    QFAIL(qPrintable(QStringLiteral("round %1 position %2").arg(round).arg(position)));
+                }
+            }
+        }
+    }
+}
+
+/// Where maps contract, a repeat of any depth has a bound near that of a shallow one, `#` or not.
+void TestSphereBounds::contractingSetsShareATightBoundAtAnyDepth()
+{
+    std::mt19937_64 random(22);
+    for (int round = 0; round < 1'000; ++round) {
+        naive::Fractal fractal;
+        for (int i = 0; i < 3; ++i) {
+            fractal.maps.push_back(randomMap(random, round % 2 == 0 ? 0.5 : 0.8));
+        }
+        fractal.sets = naive::randomSets(random, 3);
+        const std::vector<naive::Fractal::Item> pass = naive::randomItems(random, fractal.sets.size(), 1, 4);
+        fractal.items = pass;
+        if (std::ranges::all_of(fractal.levels(), [](const naive::Level &level) { return level.maps.empty(); })) {
+            continue; // nothing contracts where nothing happens
+        }
+        const Mesh mesh = randomMesh(random);
+        double shallow = 0;
+        for (const std::uint64_t depth : {60ull, 1'000'000ull, 1'000'000'000'000ull}) {
+            fractal.items = {{depth, 0, pass}};
+            const FractalGraph graph = FractalGraph::build(fractal.description(), boundingSphere(mesh)).value();
+            const double radius = graph.bound(0).radius;
+            if (depth == 60) {
+                shallow = radius;
+            } else {
+                QVERIFY2(
+                    radius <= 1.05 * shallow && radius >= 0.95 * shallow,
+                    qPrintable(
+                        QStringLiteral("round %1 depth %2: %3 %4").arg(round).arg(depth).arg(radius).arg(shallow)));
+            }
+        }
+    }
+}
+
+void TestSphereBounds::foldedPointsStayInsideAtGreatDepth_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("depth");
+    for (const char *name : {"sierpinski", "menger", "tree", "appendix-b", "two-sets", "snowflake"}) {
+        QTest::newRow(name) << QString::fromLatin1(name) << 100'000;
+    }
+    QTest::newRow("romanesco") << "romanesco" << 2'000;
+}
+
+void TestSphereBounds::foldedPointsStayInsideAtGreatDepth()
+{
+    QFETCH(QString, name);
+    QFETCH(int, depth);
+    const Sample fractal = sample(name, static_cast<std::uint64_t>(depth));
+    const Folder folder(fractal.description);
+    std::mt19937_64 random(23);
+    const std::vector<Point> vertices = points(fractal.mesh);
+    for (int round = 0; round < 3; ++round) {
+        Point point = vertices[random() % vertices.size()];
+        const Position count = fractal.graph.levels().levelCount();
+        for (Position position = count; position-- > 0;) {
+            point = folder.fold(position, point, random);
+            const bool isLooked = position < 50 || count - position < 200 || position % 997 == 0;
+            if (isLooked) {
+                QVERIFY(holds(fractal.graph.bound(position), point));
+            }
+        }
+    }
+}
+
+void TestSphereBounds::attractorsStayInsideAtTheGreatestDepths_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"sierpinski", "menger", "tree", "appendix-b", "two-sets", "snowflake", "romanesco"}) {
+        QTest::newRow(name) << QString::fromLatin1(name);
+    }
+}
+
+void TestSphereBounds::attractorsStayInsideAtTheGreatestDepths()
+{
+    // After 3,000 contractions any start is within 1e-13 of a point of the fractal.
+    QFETCH(QString, name);
+    const std::uint64_t depth = name == QLatin1String("romanesco") ? 1ull << 55 : 1ull << 62;
+    const Sample fractal = sample(name, name == QLatin1String("appendix-b") ? depth - 1 : depth);
+    const Folder folder(fractal.description);
+    const std::vector<Point> vertices = points(fractal.mesh);
+    std::mt19937_64 random(24);
+    for (int round = 0; round < 20; ++round) {
+        const Position end = round % 2 == 0 ? 3'000 : 3'000 + random() % (fractal.graph.levels().levelCount() - 4'000);
+        Point point = vertices[random() % vertices.size()];
+        for (Position position = end; position-- > end - 3'000;) {
+            point = folder.fold(position, point, random);
+        }
+        QVERIFY(holds(fractal.graph.bound(end - 3'000), point, 1e-9L));
+    }
+}
+
+void TestSphereBounds::boundsDoNotGrowWithTheDepth_data()
+{
+    attractorsStayInsideAtTheGreatestDepths_data();
+}
+
+void TestSphereBounds::boundsDoNotGrowWithTheDepth()
+{
+    QFETCH(QString, name);
+    const double shallow = sample(name, 40).graph.bound(0).radius;
+    for (const std::uint64_t depth : {1'000ull, 1'000'000ull, 1ull << 54}) {
+        const double deep = sample(name, depth).graph.bound(0).radius;
+        QVERIFY2(std::abs(deep - shallow) <= 0.06 * shallow,
+                 qPrintable(QString::number(deep) + " " + QString::number(shallow)));
+    }
+}
+
+void TestSphereBounds::movesAloneAreBoundedByTheirSum_data()
+{
+    QTest::addColumn<quint64>("depth");
+    QTest::addColumn<bool>("mayPass");
+    for (const quint64 depth :
+         {quint64(1), quint64(1'000), quint64(70'000), quint64(1'000'000'000), quint64(1) << 62}) {
+        QTest::addRow("%llu", depth) << depth << false;
+        QTest::addRow("%llu with #", depth) << depth << true;
+    }
+}
+
+void TestSphereBounds::movesAloneAreBoundedByTheirSum()
+{
+    QFETCH(quint64, depth);
+    QFETCH(bool, mayPass);
+    naive::Fractal fractal;
+    fractal.maps = {{glm::dmat3(1), {1, 0, 0}}};
+    fractal.sets = {{{0}, mayPass}};
+    fractal.items = {{depth, 0, {{0, 0, {}}}}};
+    const Sphere base{{0, 0.5, 0}, 1};
+    const auto graph = FractalGraph::build(fractal.description(), base);
+    QVERIFY(graph.has_value());
+    const auto count = static_cast<long double>(depth);
+    for (const long double part : {0.0L, 0.25L, 1.0L}) {
+        const Position position = static_cast<Position>(count * part);
+        const long double left = static_cast<long double>(depth - position);
+        const Sphere bound = graph->bound(position);
+        QVERIFY(holds(bound, {left + 1, 0.5L, 0}));
+        QVERIFY(!mayPass || holds(bound, {-1, 0.5L, 0}));
+        QVERIFY(bound.radius <= 1.01L * left + 4);
+    }
+}
+
+void TestSphereBounds::growthIsFollowedAsFarAsNumbersGo()
+{
+    naive::Fractal fractal;
+    fractal.maps = {{glm::dmat3(2), {1, 0, 0}}, {glm::dmat3(0.5), {0, 1, 0}}, {glm::dmat3(1e200), {0, 0, 0}}};
+    fractal.sets = {{{0, 1}, true}, {{2}, false}};
+    const Sphere base{{0, 0, 0}, 1};
+    fractal.items = {{400, 0, {{0, 0, {}}}}};
+    const auto large = FractalGraph::build(fractal.description(), base);
+    QVERIFY(large.has_value());
+    const long double farthest = std::ldexp(2.0L, 400) - 1; // x ↦ 2x + 1, from 1
+    QVERIFY(holds(large->bound(0), {farthest, 0, 0}));
+    QVERIFY(large->bound(0).radius < 2.1L * farthest);
+
+    // Beyond that the map that enlarges is to blame, not one that no level has.
+    for (const std::uint64_t depth : {2'000ull, 1'000'000ull, 1ull << 62}) {
+        fractal.items = {{depth, 0, {{0, 0, {}}}}};
+        const auto beyond = FractalGraph::build(fractal.description(), base);
+        QVERIFY(!beyond.has_value());
+        QCOMPARE(beyond.error(), (SourceRange{0, 1}));
+    }
+
+    // Where nothing enlarges, the farthest move is; and else the mesh.
+    fractal.maps = {{glm::dmat3(0.5), {1e200, 0, 0}}, {glm::dmat3(0.5), {1e300, 0, 0}}};
+    fractal.sets = {{{0, 1}, true}};
+    fractal.items = {{0, 0, {}}};
+    FractalDescription description = fractal.description();
+    description.meshRange = {77, 78};
+    const auto moved = FractalGraph::build(description, base);
+    QVERIFY(!moved.has_value());
+    QCOMPARE(moved.error(), (SourceRange{1, 2}));
+    fractal.maps = {{glm::dmat3(0.5), {1, 0, 0}}, {glm::dmat3(0.5), {2, 0, 0}}};
+    description = fractal.description();
+    description.meshRange = {77, 78};
+    const auto mesh = FractalGraph::build(description, Sphere{{0, 0, 0}, 1e200});
+    QVERIFY(!mesh.has_value());
+    QCOMPARE(mesh.error(), (SourceRange{77, 78}));
+}
+
+void TestSphereBounds::buildingTakesKilobytesAtAnyDepth()
+{
+    for (const char *name : {"sierpinski", "tree", "appendix-b", "two-sets", "snowflake", "romanesco"}) {
+        const std::size_t shallow = sample(QString::fromLatin1(name), 100).graph.memoryUse();
+        const std::size_t deep = sample(QString::fromLatin1(name), 1ull << 55).graph.memoryUse();
+        QVERIFY2(deep <= shallow + 4'096, name);
+        QVERIFY2(deep < 300'000, name);
+    }
+}
+
+void TestSphereBounds::theEndIsTheMesh()
+{
+    const Sample fractal = sample(QStringLiteral("tree"), 9);
+    const Sphere end = fractal.graph.bound(fractal.graph.levels().levelCount());
+    QVERIFY(end.centre == fractal.graph.base().centre);
+    QCOMPARE(end.radius, fractal.graph.base().radius);
+    const FractalGraph single = FractalGraph::ofMesh(Sphere{{1, 2, 3}, 4});
+    QVERIFY(single.bound(0).centre == glm::dvec3(1, 2, 3));
+    QCOMPARE(single.levels().levelCount(), Position(0));
+    QVERIFY(single.reach(0).reachesEnd);
+}
+
+}
+
+ROMANESCO_TEST(romanesco::test::TestSphereBounds)
+
+#include "testspherebounds.moc"

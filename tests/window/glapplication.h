@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace romanesco::test {
+
+/// Runs a test class as the program runs, with OpenGL 4.5, and with its state in a folder of its own.
+template<typename Class>
+int runWithGl(int argc, char **argv)
+{
+    const QTemporaryDir state;
+    qputenv("XDG_STATE_HOME", QFile::encodeName(state.path()));
+    QSurfaceFormat format;
+    format.setVersion(4, 5);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    const QApplication application(argc, argv);
+    Class test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+}

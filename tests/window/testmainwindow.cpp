@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <QAction>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSlider>
+#include <QTimer>
+#include <QToolBar>
+
+#include "app/window/mainwindow.h"
+#include "app/window/messagestrip.h"
+#include "app/window/problemsview.h"
+#include "app/window/statusline.h"
+#include "app/window/viewport.h"
+#include "app/window/viewportpane.h"
+#include "editor/fdoeditor.h"
+#include "glapplication.h"
+
+using namespace romanesco;
+
+namespace {
+
+struct Sample {
+    QTemporaryDir folder;
+    MainWindow window;
+    FdoEditor &editor = *window.findChild<FdoEditor *>();
+    Viewport &viewport = *window.findChild<Viewport *>();
+    ViewportPane &pane = *window.findChild<ViewportPane *>();
+    ProblemsView &problems = *window.findChild<ProblemsView *>();
+    /// Copies drawn in the last pass over the scene.
+    std::uint64_t drawn = 0;
+
+    Sample()
+    {
+        QObject::connect(&viewport, &Viewport::pictureAdvanced, &window,
+                         [this](const DrawStatistics &statistics) { drawn = statistics.instances; });
+        window.resize(900, 600);
+        window.openExample();
+        window.show();
+    }
+    bool waitForPicture() const
+    {
+        return QTest::qWaitFor([&] { return drawn > 0 && viewport.isPictureFinished(); }, 120'000);
+    }
+    bool waitForEmptyPicture() const
+    {
+        return QTest::qWaitFor([&] { return drawn == 0 && viewport.isPictureFinished(); }, 120'000);
+    }
+    /// What the strip over the picture says.
+    [[nodiscard]] QString strip() const { return pane.strip().isVisible() ? pane.strip().text() : QString(); }
+    /// What the strip over the text says.
+    [[nodiscard]] QString message() const
+    {
+        for (const MessageStrip *strip : window.findChildren<MessageStrip *>()) {
+            if (strip != &pane.strip() && strip->isVisible()) {
+                return strip->text();
+            }
+        }
+        return {};
+    }
+    bool waitForStrip(bool isThere) const
+    {
+        return QTest::qWaitFor([&] { return !strip().isEmpty() == isThere; }, 20'000);
+    }
+    void placeCursorAt(const QString &text)
+    {
+        const QTextCursor found = editor.document()->find(text);
+        QTextCursor cursor = found;
+        cursor.setPosition(found.selectionStart());
+        editor.setTextCursor(cursor);
+    }
+    [[nodiscard]] QString path(const QString &name) const { return folder.filePath(name); }
+    [[nodiscard]] QString write(const QString &name, const QByteArray &bytes) const
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        }
+        return file.fileName();
+    }
+    [[nodiscard]] static QByteArray read(const QString &path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be read)");
+    }
+};
+
+int squiggles(const FdoEditor &editor)
+{
+    int count = 0;
+    for (const QTextEdit::ExtraSelection &selection : editor.extraSelections()) {
+        count += selection.format.underlineStyle() == QTextCharFormat::WaveUnderline ? 1 : 0;
+    }
+    return count;
+}
+
+/// Presses a button of the next question. Whether there was one is found in wasAsked.
+void answerNextQuestion(QMessageBox::StandardButton button, bool &wasAsked)
+{
+    auto *timer = new QTimer(qApp);
+    QObject::connect(timer, &QTimer::timeout, timer, [timer, button, &wasAsked] {
+        if (auto *box = qobject_cast<QMessageBox *>(QApplication::activeModalWidget())) {
+            wasAsked = true;
+            timer->deleteLater();
+            box->button(button)->click();
+        }
+    });
+    timer->start(10);
+}
+
+}
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void theExampleIsDrawn();
+    void anErrorIsShownAndThePictureStays();
+    void theStripLeadsToTheError();
+    void theProblemsListLeadsToTheText();
+    void theSliderEditsTheText();
+    void undoMovesTheSlider();
+    void viewportKeysNeedTheFocus();
+    void unsavedTextIsAskedFor();
+    void anUnreadableFileIsAMessage_data();
+    void anUnreadableFileIsAMessage();
+    void aFileWithErrorsHasNoPictureOfTheLastFile();
+    void aSavedExampleBringsItsMesh();
+    void aFailedSaveIsAMessage();
+    void theTitleNamesTheFile();
+    void droppedFilesAreOpened();
+    void theLayoutIsRemembered();
+    void buttonsTellTheirKeys();
+};
+
+void TestMainWindow::theExampleIsDrawn()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QImage picture = sample.viewport.grabFramebuffer();
+    const QRgb corner = picture.pixel(2, picture.height() / 2);
+    int different = 0;
+    for (int x = 0; x < picture.width(); ++x) {
+        different += picture.pixel(x, picture.height() / 2) != corner ? 1 : 0;
+    }
+    QVERIFY(different > picture.width() / 4);
+    QCOMPARE(sample.problems.topLevelItemCount(), 0);
+    QCOMPARE(sample.strip(), QString());
+    const auto hasNumbers = [&] {
+        for (const QLabel *label : sample.window.findChild<StatusLine *>()->findChildren<QLabel *>()) {
+            if (label->text().contains(QStringLiteral("9,409 distinct"))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    QVERIFY(QTest::qWaitFor(hasNumbers, 20'000));
+}
+
+void TestMainWindow::anErrorIsShownAndThePictureStays()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QImage before = sample.viewport.grabFramebuffer();
+    sample.placeCursorAt(QStringLiteral("lean, half"));
+    QTest::keyClicks(&sample.editor, QStringLiteral("x"));
+    QVERIFY(sample.waitForStrip(true));
+    QCOMPARE(sample.strip(),
+             QStringLiteral("Showing the last good version — line 14: no vector named xlean is "
+                            "declared above"));
+    QVERIFY(sample.problems.topLevelItemCount() >= 1);
+    QVERIFY(sample.problems.topLevelItem(0)->text(0).startsWith(QStringLiteral("romanesco.fdo:14:")));
+    QVERIFY(squiggles(sample.editor) >= 1);
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+
+    QTest::keyClick(&sample.editor, Qt::Key_Backspace);
+    QVERIFY(sample.waitForStrip(false));
+    QCOMPARE(squiggles(sample.editor), 0);
+    QCOMPARE(sample.problems.topLevelItemCount(), 0);
+}
+
+void TestMainWindow::theStripLeadsToTheError()
+{
+    Sample sample;
+    sample.placeCursorAt(QStringLiteral("lean, half"));
+    QTest::keyClicks(&sample.editor, QStringLiteral("x"));
+    QVERIFY(sample.waitForStrip(true));
+    sample.editor.moveCursor(QTextCursor::Start);
+    QTest::mouseClick(&sample.pane.strip(), Qt::LeftButton);
+    QTextCursor cursor = sample.editor.textCursor();
+    QCOMPARE(cursor.blockNumber(), 13);
+    cursor.movePosition(QTextCursor::NextWord, QTextCursor::KeepAnchor);
+    QCOMPARE(cursor.selectedText(), QStringLiteral("xlean"));
+}
+
+void TestMainWindow::theProblemsListLeadsToTheText()
+{
+    Sample sample;
+    sample.placeCursorAt(QStringLiteral("lean, half"));
+    QTest::keyClicks(&sample.editor, QStringLiteral("x"));
+    QVERIFY(sample.waitForStrip(true));
+    sample.editor.moveCursor(QTextCursor::Start);
+    const QRect row = sample.problems.visualItemRect(sample.problems.topLevelItem(0));
+    QTest::mouseClick(sample.problems.viewport(), Qt::LeftButton, {}, row.center());
+    QCOMPARE(sample.editor.textCursor().blockNumber(), 13);
+}
+
+void TestMainWindow::theSliderEditsTheText()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QString original = sample.editor.toPlainText();
+    auto &slider = *sample.window.findChild<QSlider *>();
+    QVERIFY(slider.isEnabled());
+    QCOMPARE(slider.value(), 2);
+    slider.setSliderDown(true);
+    for (const int depth : {3, 4, 1}) {
+        slider.setValue(depth);
+    }
+    slider.setSliderDown(false);
+    QVERIFY(sample.editor.toPlainText().contains(QStringLiteral("<$>. head 1\n")));
+    QVERIFY(!sample.viewport.isPictureFinished()
+            || QTest::qWaitFor([&] { return !sample.viewport.isPictureFinished(); }, 20'000));
+    QVERIFY(sample.waitForPicture());
+    sample.editor.undo();
+    QCOMPARE(sample.editor.toPlainText(), original);
+}
+
+void TestMainWindow::undoMovesTheSlider()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    auto &slider = *sample.window.findChild<QSlider *>();
+    slider.setValue(1);
+    sample.editor.undo();
+    QVERIFY(QTest::qWaitFor([&] { return slider.value() == 2; }, 20'000));
+}
+
+void TestMainWindow::viewportKeysNeedTheFocus()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    sample.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&sample.window));
+    sample.editor.setFocus();
+    QTest::keyClick(&sample.editor, Qt::Key_5);
+    QVERIFY(sample.editor.toPlainText().startsWith(u'5'));
+    QCOMPARE(sample.viewport.camera().projection, Projection::Perspective);
+    // A widget that has no use for the key does not pass it on to the viewport either.
+    sample.problems.setFocus();
+    QTest::keyClick(&sample.problems, Qt::Key_5);
+    QCOMPARE(sample.viewport.camera().projection, Projection::Perspective);
+
+    sample.viewport.setFocus();
+    QTest::keyClick(&sample.viewport, Qt::Key_5);
+    QCOMPARE(sample.viewport.camera().projection, Projection::Orthographic);
+    QTest::keyClick(&sample.viewport, Qt::Key_1);
+    QCOMPARE(sample.viewport.camera().worldFromCamera[2].z, 1.0);
+    QVERIFY(sample.editor.toPlainText().startsWith(QStringLiteral("5#")));
+}
+
+void TestMainWindow::unsavedTextIsAskedFor()
+{
+    Sample sample;
+    const QString path = sample.write(QStringLiteral("a.fdo"), "# a\r\n");
+    QVERIFY(sample.window.openFile(path));
+    QTest::keyClicks(&sample.editor, QStringLiteral("x"));
+    QVERIFY(sample.window.isWindowModified());
+
+    bool wasAsked = false;
+    answerNextQuestion(QMessageBox::Cancel, wasAsked);
+    QVERIFY(!sample.window.close());
+    QVERIFY(wasAsked && sample.window.isVisible());
+    QCOMPARE(Sample::read(path), QByteArray("# a\r\n"));
+
+    wasAsked = false;
+    answerNextQuestion(QMessageBox::Save, wasAsked);
+    QVERIFY(sample.window.close());
+    QVERIFY(wasAsked);
+    QCOMPARE(Sample::read(path), QByteArray("x# a\r\n"));
+}
+
+void TestMainWindow::anUnreadableFileIsAMessage_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("words");
+    QTest::newRow("missing") << QStringLiteral("missing.fdo") << QStringLiteral("no such file");
+    QTest::newRow("not UTF-8") << QStringLiteral("latin.fdo") << QStringLiteral("not UTF-8");
+}
+
+void TestMainWindow::anUnreadableFileIsAMessage()
+{
+    QFETCH(const QString, name);
+    QFETCH(const QString, words);
+    Sample sample;
+    const QByteArray latin("# gr\xF6\xDF"
+                           "er\n");
+    const QString latinPath = sample.write(QStringLiteral("latin.fdo"), latin);
+    QVERIFY(!sample.window.openFile(sample.path(name)));
+    QVERIFY2(sample.message().contains(words), qPrintable(sample.message()));
+    QVERIFY(sample.editor.toPlainText().startsWith(QStringLiteral("# Romanesco")));
+    // The program then opens its example, and the message is still to be read.
+    sample.window.openExample();
+    QVERIFY(sample.message().contains(words));
+    QCOMPARE(Sample::read(latinPath), latin);
+}
+
+void TestMainWindow::aFileWithErrorsHasNoPictureOfTheLastFile()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), "<$>. rigt\n")));
+    QVERIFY(sample.waitForStrip(true));
+    QVERIFY(sample.strip().startsWith(QStringLiteral("No picture yet — line 1:")));
+    QVERIFY(!sample.window.findChild<QSlider *>()->isEnabled());
+    QVERIFY(sample.waitForEmptyPicture());
+    const QImage picture = sample.viewport.grabFramebuffer();
+    QVERIFY(qGray(picture.pixel(picture.rect().center())) < 60);
+}
+
+void TestMainWindow::aSavedExampleBringsItsMesh()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.window.saveFile(sample.path(QStringLiteral("mine.fdo"))));
+    QVERIFY(QFile::exists(sample.path(QStringLiteral("bud.obj"))));
+    QVERIFY(sample.window.windowTitle().startsWith(QStringLiteral("mine.fdo")));
+    QVERIFY(sample.waitForPicture());
+    QTest::qWait(0);
+    QCOMPARE(sample.strip(), QString());
+}
+
+void TestMainWindow::aFailedSaveIsAMessage()
+{
+    Sample sample;
+    QTest::keyClicks(&sample.editor, QStringLiteral("# "));
+    QVERIFY(!sample.window.saveFile(sample.path(QStringLiteral("no/such/folder/a.fdo"))));
+    QVERIFY(sample.message().startsWith(QStringLiteral("Cannot save")));
+    QVERIFY(sample.window.isWindowModified());
+    bool wasAsked = false;
+    answerNextQuestion(QMessageBox::Discard, wasAsked);
+    QVERIFY(sample.window.close());
+}
+
+void TestMainWindow::theTitleNamesTheFile()
+{
+    Sample sample;
+    QCOMPARE(sample.window.windowTitle(), QStringLiteral("romanesco.fdo[*] — Romanesco"));
+    QVERIFY(!sample.window.isWindowModified());
+    QTest::keyClicks(&sample.editor, QStringLiteral("#"));
+    QVERIFY(sample.window.isWindowModified());
+    sample.editor.undo();
+    QVERIFY(!sample.window.isWindowModified());
+}
+
+void TestMainWindow::droppedFilesAreOpened()
+{
+    Sample sample;
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(sample.write(QStringLiteral("a.fdo"), "# dropped\n"))});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&sample.window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop(QPointF(10, 10), Qt::CopyAction, &files, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&sample.window, &drop);
+    QCOMPARE(sample.editor.toPlainText(), QStringLiteral("# dropped\n"));
+}
+
+void TestMainWindow::theLayoutIsRemembered()
+{
+    {
+        Sample sample;
+        sample.window.resize(1000, 650);
+        QVERIFY(QTest::qWaitForWindowExposed(&sample.window));
+        QVERIFY(sample.window.close());
+    }
+    MainWindow again;
+    QCOMPARE(again.size(), QSize(1000, 650));
+}
+
+void TestMainWindow::buttonsTellTheirKeys()
+{
+    Sample sample;
+    for (const QAction *action : sample.window.findChild<QToolBar *>()->actions()) {
+        const bool isButton = !action->isSeparator() && !action->text().isEmpty();
+        QVERIFY2(!isButton || action->toolTip().contains(u'('), qPrintable(action->text()));
+    }
+}
+
+int main(int argc, char **argv)
+{
+    return romanesco::test::runWithGl<TestMainWindow>(argc, argv);
+}
+#include "testmainwindow.moc"

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+
+#include "app/window/resourcefiles.h"
+#include "app/window/viewport.h"
+#include "core/scene/sceneloader.h"
+#include "glapplication.h"
+
+using namespace romanesco;
+
+namespace {
+
+std::shared_ptr<const Scene> exampleScene(const char *name)
+{
+    const ResourceFiles files;
+    const std::filesystem::path path = std::filesystem::path(":/examples") / name;
+    return SceneLoader(files).load(path, files.read(path).value()).scene;
+}
+
+/// The share of pixels that are brighter than the background ever is.
+double brightShare(const QImage &picture)
+{
+    qsizetype bright = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+        for (int x = 0; x < picture.width(); ++x) {
+            bright += qGray(picture.pixel(x, y)) > 60 ? 1 : 0;
+        }
+    }
+    return double(bright) / double(picture.width() * picture.height());
+}
+
+struct Sample {
+    Viewport viewport;
+    QSignalSpy finished{&viewport, &Viewport::pictureFinished};
+    QSignalSpy clicks{&viewport, &Viewport::clicked};
+
+    Sample()
+    {
+        viewport.resize(160, 120);
+        viewport.setScene(exampleScene("sierpinski.fdo"));
+        viewport.resetView();
+        viewport.show();
+    }
+    bool waitForPicture()
+    {
+        return QTest::qWaitFor([&] { return viewport.isPictureFinished(); }, 60'000);
+    }
+    void drag(Qt::MouseButton button, Qt::KeyboardModifiers modifiers, QPoint from, QPoint to)
+    {
+        const auto send = [&](QEvent::Type type, QPoint at, Qt::MouseButton which, Qt::MouseButtons held) {
+            QMouseEvent event(type, at, viewport.mapToGlobal(at), which, held, modifiers);
+            QCoreApplication::sendEvent(&viewport, &event);
+        };
+        send(QEvent::MouseButtonPress, from, button, button);
+        send(QEvent::MouseMove, to, Qt::NoButton, button);
+        send(QEvent::MouseButtonRelease, to, button, Qt::NoButton);
+    }
+};
+
+bool isEqual(const glm::dmat3 &a, const glm::dmat3 &b)
+{
+    return a == b;
+}
+
+}
+
+class TestViewport : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void thePictureShowsTheScene();
+    void aFinishedPictureRests();
+    void anotherSceneIsAnotherPicture();
+    void noSceneIsTheBackground();
+    void leftDragOrbits();
+    void rightDragPans_data();
+    void rightDragPans();
+    void aShortDragIsAClick();
+    void theWheelZoomsToThePointer();
+    void sidesAndProjection();
+    void theCameraStaysWhenTheSceneChanges();
+    void movementIsFollowedByAFinePicture();
+    void resizingMakesANewPicture();
+};
+
+void TestViewport::thePictureShowsTheScene()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const double share = brightShare(sample.viewport.grabFramebuffer());
+    QVERIFY2(share > 0.05 && share < 0.9, qPrintable(QString::number(share)));
+}
+
+void TestViewport::aFinishedPictureRests()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    QCoreApplication::processEvents();
+    const qsizetype count = sample.finished.count();
+    QTest::qWait(200);
+    QCOMPARE(sample.finished.count(), count);
+}
+
+void TestViewport::anotherSceneIsAnotherPicture()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QImage first = sample.viewport.grabFramebuffer();
+    sample.viewport.setScene(exampleScene("menger.fdo"));
+    QVERIFY(!sample.viewport.isPictureFinished());
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(first != sample.viewport.grabFramebuffer());
+}
+
+void TestViewport::noSceneIsTheBackground()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    sample.viewport.setScene(nullptr);
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(brightShare(sample.viewport.grabFramebuffer()), 0.0);
+}
+
+void TestViewport::leftDragOrbits()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const Camera before = sample.viewport.camera();
+    sample.drag(Qt::LeftButton, {}, {50, 50}, {110, 70});
+    const Camera after = sample.viewport.camera();
+    QVERIFY(!isEqual(before.worldFromCamera, after.worldFromCamera));
+    QCOMPARE(sample.clicks.count(), 0);
+}
+
+void TestViewport::rightDragPans_data()
+{
+    QTest::addColumn<Qt::MouseButton>("button");
+    QTest::addColumn<Qt::KeyboardModifiers>("modifiers");
+    QTest::newRow("right") << Qt::RightButton << Qt::KeyboardModifiers();
+    QTest::newRow("shift and left") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::ShiftModifier);
+}
+
+void TestViewport::rightDragPans()
+{
+    QFETCH(const Qt::MouseButton, button);
+    QFETCH(const Qt::KeyboardModifiers, modifiers);
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const Camera before = sample.viewport.camera();
+    sample.drag(button, modifiers, {50, 50}, {110, 70});
+    const Camera after = sample.viewport.camera();
+    QVERIFY(isEqual(before.worldFromCamera, after.worldFromCamera));
+    const glm::dvec3 shift = glm::transpose(before.worldFromCamera) * (after.position - before.position);
+    // The scene follows the hand to the right and down, so the camera goes left and up.
+    QVERIFY(shift.x < 0.0 && shift.y > 0.0 && std::abs(shift.z) < 1e-9);
+}
+
+void TestViewport::aShortDragIsAClick()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const Camera before = sample.viewport.camera();
+    sample.drag(Qt::LeftButton, {}, {100, 100}, {102, 102});
+    QCOMPARE(sample.clicks.count(), 1);
+    QVERIFY(isEqual(before.worldFromCamera, sample.viewport.camera().worldFromCamera));
+    sample.drag(Qt::LeftButton, {}, {100, 100}, {104, 100});
+    QCOMPARE(sample.clicks.count(), 1);
+    QVERIFY(!isEqual(before.worldFromCamera, sample.viewport.camera().worldFromCamera));
+}
+
+void TestViewport::theWheelZoomsToThePointer()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const Camera before = sample.viewport.camera();
+    const QPointF place(120, 30);
+    QWheelEvent event(place, sample.viewport.mapToGlobal(place), {}, {0, 120}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(&sample.viewport, &event);
+    const glm::dvec3 shift =
+        glm::transpose(before.worldFromCamera) * (sample.viewport.camera().position - before.position);
+    QVERIFY(shift.z > 0.0 && shift.x > 0.0 && shift.y > 0.0);
+}
+
+void TestViewport::sidesAndProjection()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const auto forward = [&] { return sample.viewport.camera().worldFromCamera[2]; };
+    sample.viewport.lookFrom(Viewport::Side::Front);
+    QVERIFY(glm::distance(forward(), glm::dvec3(0, 0, 1)) < 1e-12);
+    sample.viewport.lookFrom(Viewport::Side::Right);
+    QVERIFY(glm::distance(forward(), glm::dvec3(-1, 0, 0)) < 1e-12);
+    sample.viewport.lookFrom(Viewport::Side::Top);
+    QVERIFY(glm::distance(forward(), glm::dvec3(0, -1, 0)) < 1e-12);
+
+    QSignalSpy changes(&sample.viewport, &Viewport::projectionChanged);
+    sample.viewport.setProjection(Projection::Orthographic);
+    sample.viewport.setProjection(Projection::Orthographic);
+    QCOMPARE(changes.count(), 1);
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.05);
+}
+
+void TestViewport::theCameraStaysWhenTheSceneChanges()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    sample.drag(Qt::LeftButton, {}, {50, 50}, {110, 70});
+    const Camera before = sample.viewport.camera();
+    sample.viewport.setScene(exampleScene("menger.fdo"));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(before.position == sample.viewport.camera().position);
+}
+
+void TestViewport::movementIsFollowedByAFinePicture()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    QSignalSpy advances(&sample.viewport, &Viewport::pictureAdvanced);
+    sample.drag(Qt::LeftButton, {}, {50, 50}, {110, 70});
+    QVERIFY(!sample.viewport.isPictureFinished());
+    // The movement's own picture is coarse; a fine one follows by itself once the camera rests.
+    const auto tolerance = [&] { return advances.isEmpty() ? 0.0 : advances.last()[1].toDouble(); };
+    QVERIFY(QTest::qWaitFor([&] { return tolerance() == 4.0; }, 60'000));
+    QVERIFY(QTest::qWaitFor([&] { return tolerance() == 1.0; }, 60'000));
+    QVERIFY(sample.waitForPicture());
+}
+
+void TestViewport::resizingMakesANewPicture()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    sample.viewport.resize(400, 200);
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.size() == QSize(400, 200); }));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.02);
+}
+
+int main(int argc, char **argv)
+{
+    return romanesco::test::runWithGl<TestViewport>(argc, argv);
+}
+#include "testviewport.moc"
