@@ -101,8 +101,8 @@ private Q_SLOTS:
 
     void depthReplacesTheTextsDepth()
     {
-        const Outcome outcome = run({QStringLiteral("info"), path("good.fdo"), QStringLiteral("--depth"),
-                                     QStringLiteral("10")});
+        const Outcome outcome =
+            run({QStringLiteral("info"), path("good.fdo"), QStringLiteral("--depth"), QStringLiteral("10")});
         QCOMPARE(outcome.status, 0);
         QVERIFY(outcome.out.contains("1024 as written"));
         QVERIFY(outcome.out.contains("11 distinct"));
@@ -133,8 +133,9 @@ private Q_SLOTS:
         QFETCH(const QByteArray, message);
         const QString input = m_folder.filePath(file);
         const QString output = path("bad.png");
-        for (const QStringList &arguments : {QStringList{QStringLiteral("info"), input},
-                                             QStringList{QStringLiteral("render"), input, QStringLiteral("-o"), output}}) {
+        for (const QStringList &arguments :
+             {QStringList{QStringLiteral("info"), input},
+              QStringList{QStringLiteral("render"), input, QStringLiteral("-o"), output}}) {
             const Outcome outcome = run(arguments);
             QCOMPARE(outcome.status, 1);
             QVERIFY2(outcome.err.contains(message), outcome.err);
@@ -231,9 +232,9 @@ private Q_SLOTS:
         if (output == QLatin1String("-")) {
             process.setStandardOutputFile(QStringLiteral("/dev/full"));
         }
-        process.start(QStringLiteral(ROMANESCO_PROGRAM), {QStringLiteral("render"), path("good.fdo"),
-                                                          QStringLiteral("-o"), output, QStringLiteral("--size"),
-                                                          QStringLiteral("64x48")});
+        process.start(QStringLiteral(ROMANESCO_PROGRAM),
+                      {QStringLiteral("render"), path("good.fdo"), QStringLiteral("-o"), output,
+                       QStringLiteral("--size"), QStringLiteral("64x48")});
         const Outcome outcome = outcomeOf(process);
         QCOMPARE(outcome.status, 3);
         QVERIFY2(outcome.err.contains("cannot write"), outcome.err);

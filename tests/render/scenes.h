@@ -40,7 +40,8 @@ inline std::string boxObj(const glm::dvec3 &a, const glm::dvec3 &b)
 }
 
 /// A scene from an .fdo text whose mesh "box.obj" is the cube ±1, unless another is given. Null where the text is wrong.
-inline std::shared_ptr<const Scene> sceneOf(const std::string &text, const std::string &mesh = boxObj({-1, -1, -1}, {1, 1, 1}))
+inline std::shared_ptr<const Scene> sceneOf(const std::string &text,
+                                            const std::string &mesh = boxObj({-1, -1, -1}, {1, 1, 1}))
 {
     TableFiles files;
     files.files["box.obj"] = mesh;

@@ -21,8 +21,8 @@ glm::dvec3 onScreen(const Camera &camera, const glm::dvec3 &point, double aspect
 {
     const glm::dvec3 p = glm::transpose(camera.worldFromCamera) * (point - camera.position);
     const bool isPerspective = camera.projection == Projection::Perspective;
-    const double half = isPerspective ? p.z * std::tan(camera.fieldOfView * std::acos(-1.0) / 360.0)
-                                      : 0.5 * camera.viewHeight;
+    const double half =
+        isPerspective ? p.z * std::tan(camera.fieldOfView * std::acos(-1.0) / 360.0) : 0.5 * camera.viewHeight;
     return {p.x / (half * aspect), p.y / half, p.z};
 }
 

@@ -124,7 +124,8 @@ private Q_SLOTS:
                 const glm::dvec3 p =
                     glm::transpose(camera.worldFromCamera) * (map.translation - camera.position) / projector.unit;
                 const double reach = camera.projection == Projection::Perspective ? p.z : 1.0;
-                if (p.z < 1e-3 || std::abs(p.x) * projector.scaleX > reach || std::abs(p.y) * projector.scaleY > reach) {
+                if (p.z < 1e-3 || std::abs(p.x) * projector.scaleX > reach
+                    || std::abs(p.y) * projector.scaleY > reach) {
                     continue;
                 }
                 ++inView;
@@ -174,9 +175,10 @@ private Q_SLOTS:
     /// The innermost level throws the mesh far away: what stands for many copies must stand where they are.
     void aFarLastLevelIsDrawnWhereItIs()
     {
-        const auto scene = test::sceneOf("v 1000 0 0\nv 0.5 0 0\nv -0.5 0 0\nhalf 0.5 0.5 0.5\nsmall 0.001 0.001 0.001\n"
-                                         "x. \"box.obj\"\nm.p. (p, #, small)\nt.p. (p, #, half)\n"
-                                         "y. [m.1] x\nz<y>. [t.2, t.3] y\n<$>. z 4\n");
+        const auto scene =
+            test::sceneOf("v 1000 0 0\nv 0.5 0 0\nv -0.5 0 0\nhalf 0.5 0.5 0.5\nsmall 0.001 0.001 0.001\n"
+                          "x. \"box.obj\"\nm.p. (p, #, small)\nt.p. (p, #, half)\n"
+                          "y. [m.1] x\nz<y>. [t.2, t.3] y\n<$>. z 4\n");
         QVERIFY(scene);
         const Camera camera = fittedCamera(*scene, double(width) / height);
         const Projector projector(camera, *scene, width, height);

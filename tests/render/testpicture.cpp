@@ -29,8 +29,8 @@ struct Pixel {
 
 Pixel pixel(const Picture &picture, int x, int y)
 {
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width)
-                                + static_cast<std::size_t>(x));
+    const std::size_t at =
+        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
     return {picture.pixels[at], picture.pixels[at + 1], picture.pixels[at + 2]};
 }
 
@@ -102,8 +102,7 @@ class TestPicture : public QObject
     {
         m_renderer->setScene(scene);
         m_renderer->begin(view);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) {
-        }
+        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
         return m_renderer->read();
     }
 
@@ -151,9 +150,10 @@ private Q_SLOTS:
                 const double tangent = std::tan(camera.fieldOfView * std::acos(-1.0) / 360.0);
                 const double half = 0.5 * camera.viewHeight;
                 const glm::dvec3 from = isPerspective ? glm::dvec3(0.0) : glm::dvec3(u * half, v * half, 0.0);
-                const glm::dvec3 along = isPerspective ? glm::dvec3(u * tangent, v * tangent, 1.0) : glm::dvec3(0, 0, 1);
-                const bool isHit = std::isfinite(rayMeetsBox(camera.position + camera.worldFromCamera * from,
-                                                             camera.worldFromCamera * along, 1.0));
+                const glm::dvec3 along =
+                    isPerspective ? glm::dvec3(u * tangent, v * tangent, 1.0) : glm::dvec3(0, 0, 1);
+                const bool isHit = std::isfinite(
+                    rayMeetsBox(camera.position + camera.worldFromCamera * from, camera.worldFromCamera * along, 1.0));
                 covered += isHit ? 1 : 0;
                 wrong += isHit == isBackground(pixel(picture, x, y)) ? 1 : 0;
             }
@@ -229,8 +229,7 @@ private Q_SLOTS:
         QFETCH(const double, size);
         QFETCH(const double, offset);
         const auto boxAt = [](double at, double half) {
-            return test::sceneOf("<$>. \"box.obj\"\n",
-                                 test::boxObj(glm::dvec3(at - half), glm::dvec3(at + half)));
+            return test::sceneOf("<$>. \"box.obj\"\n", test::boxObj(glm::dvec3(at - half), glm::dvec3(at + half)));
         };
         const auto unit = boxAt(0.0, 1.0);
         const auto other = boxAt(offset, size);
@@ -275,7 +274,8 @@ private Q_SLOTS:
         const auto scene = test::sceneOf("v 0 0 0\nsheet 1 0 1\npoint 0 0 0\nline 0 2 0\nx. \"box.obj\"\n"
                                          "t.s. (#, #, s)\n<$>. [t.sheet, t.point, t.line] x\n");
         QVERIFY(scene);
-        const double background = shareOfBackground(draw(scene, plainView(fittedCamera(*scene, double(width) / height))));
+        const double background =
+            shareOfBackground(draw(scene, plainView(fittedCamera(*scene, double(width) / height))));
         QVERIFY(background > 0.2 && background < 0.95);
     }
 
@@ -288,8 +288,7 @@ private Q_SLOTS:
         m_renderer->begin(view);
         QCOMPARE(m_renderer->finishedSamples(), 0);
         QCOMPARE(m_renderer->read().pixels, picture.pixels);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) {
-        }
+        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
         QCOMPARE(shareOfBackground(m_renderer->read()), 1.0);
     }
 
