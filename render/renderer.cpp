@@ -22,9 +22,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 6 MB.
-constexpr std::size_t chunkSize = 32'768;
-constexpr std::size_t chunkCount = 4;
+/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 3 MB. In software a chunk
+/// takes about ten milliseconds, which is how finely a slice can end.
+constexpr std::size_t chunkSize = 8'192;
+constexpr std::size_t chunkCount = 8;
 
 /// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
 /// square evenly for every n. The only sample of one is the centre itself.

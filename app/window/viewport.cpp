@@ -43,7 +43,8 @@ Viewport::Viewport(QWidget *parent)
     setAccessibleName(tr("Picture of the fractal"));
     m_rest.setSingleShot(true);
     m_rest.setInterval(restAfter);
-    connect(&m_rest, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    connect(&m_rest, &QTimer::timeout, &m_drawing, qOverload<>(&QTimer::start));
+    connect(&m_drawing, &QTimer::timeout, this, &Viewport::drawOn);
 }
 
 Viewport::~Viewport()
@@ -63,13 +64,13 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
         m_sinceMovement.restart();
         m_rest.start();
     }
-    update();
+    m_drawing.start();
 }
 
 void Viewport::resetView()
 {
     m_resetsView = true;
-    update();
+    m_drawing.start();
 }
 
 void Viewport::fit()
@@ -126,6 +127,7 @@ void Viewport::initializeGL()
     m_renderer = std::move(*made);
     m_isSceneNew = true;
     m_begun.reset();
+    m_drawing.start();
     Q_EMIT ready(QString::fromStdString(m_renderer->description()));
 }
 
@@ -144,23 +146,33 @@ void Viewport::release()
 
 void Viewport::paintGL()
 {
-    if (!m_renderer) {
+    if (m_renderer) {
+        const qreal ratio = devicePixelRatioF();
+        m_renderer->present(defaultFramebufferObject(), qRound(width() * ratio), qRound(height() * ratio));
+    }
+}
+
+/// One slice, between other events. Not part of painting: the window is put together anew only when there is something
+/// new to see.
+void Viewport::drawOn()
+{
+    if (!m_renderer || !isVisible()) {
+        m_drawing.stop();
         return;
     }
+    makeCurrent();
     if (m_resetsView && m_scene) {
         m_resetsView = false;
         m_orbit.fit(*m_scene, aspect());
+        // Counts as a movement: nobody knows yet what a fine picture of this scene takes, and a coarse one is soon there.
         cameraChanged();
-        // This is a new view, not a movement: the first picture of it is a good one.
-        m_sinceMovement.invalidate();
     }
     beginPictureIfDue();
     m_renderer->step(slice);
     announceProgress();
-    const qreal ratio = devicePixelRatioF();
-    m_renderer->present(defaultFramebufferObject(), qRound(width() * ratio), qRound(height() * ratio));
-    if (!isPictureFinished()) {
-        update();
+    doneCurrent();
+    if (isPictureFinished()) {
+        m_drawing.stop();
     }
 }
 
@@ -194,6 +206,7 @@ void Viewport::announceProgress()
 {
     if (m_renderer->finishedSamples() > m_announcedSamples) {
         m_announcedSamples = m_renderer->finishedSamples();
+        update();
         const DrawStatistics statistics = m_renderer->statistics();
         if (m_begun->pixelTolerance == fineTolerance) {
             m_fineMilliseconds = statistics.milliseconds;
@@ -210,12 +223,13 @@ void Viewport::announceProgress()
 
 void Viewport::resizeGL(int, int)
 {
-    update();
+    m_drawing.start();
 }
 
 void Viewport::showEvent(QShowEvent *event)
 {
     QOpenGLWidget::showEvent(event);
+    m_drawing.start();
     // Where the platform has no OpenGL, nobody calls initializeGL().
     QTimer::singleShot(0, this, &Viewport::reportWhetherAvailable);
 }
@@ -246,7 +260,7 @@ void Viewport::cameraChanged()
     ++m_cameraRevision;
     m_sinceMovement.restart();
     m_rest.start();
-    update();
+    m_drawing.start();
 }
 
 double Viewport::aspect() const

@@ -79,6 +79,7 @@ private:
 
     void release();
     void reportWhetherAvailable();
+    void drawOn();
     void beginPictureIfDue();
     void announceProgress();
     void cameraChanged();
@@ -97,6 +98,8 @@ private:
     quint64 m_cameraRevision = 0;
     QElapsedTimer m_sinceMovement;
     QTimer m_rest;
+    /// Runs while the picture is not finished.
+    QTimer m_drawing;
 
     std::optional<Request> m_begun;
     int m_announcedSamples = 0;

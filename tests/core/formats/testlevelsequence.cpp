@@ -151,6 +151,12 @@ void TestLevelSequence::repeatsOfNothingLeaveNothing()
     builder.beginRepeat(1'000);
     builder.endRepeat();
     builder.endRepeat();
+    builder.beginRepeat(0);
+    builder.addLevel(3);
+    builder.beginRepeat(100);
+    builder.addLevel(2);
+    builder.endRepeat();
+    builder.endRepeat();
     builder.addLevel(4);
     const LevelSequence levels = std::move(builder).build();
     QCOMPARE(levels.levelCount(), Position(1));

@@ -70,7 +70,7 @@ void TestObjReader::facesInEveryForm_data()
         "call x.obj\ncsh -echo\nfo 1 2 3\n# f 9 9 9\nf 1 2 3",
         "0 1 2");
     row("no faces", "", "");
-    QTest::newRow("BOM") << "\xEF\xBB\xBF" + square + "f 1 2 3" << "0 1 2";
+    QTest::newRow("BOM") << "\xEF\xBB\xBF" + square + "f 1 2 4" << "0 1 3";
     QTest::newRow("empty") << QByteArray() << "";
     QTest::newRow("colours and weights behind the coordinates")
         << QByteArray("v 1 2 3 0.5\nv 1 2 3 1 0 0\nv 1 2 3\nf 1 2 3") << "0 1 2";

@@ -137,6 +137,7 @@ private Q_SLOTS:
     void everyPositionsBoundHoldsWhatFollows_data();
     void everyPositionsBoundHoldsWhatFollows();
     void contractingSetsShareATightBoundAtAnyDepth();
+    void sharedBoundsHoldTheImagesOfOneAnother();
     void foldedPointsStayInsideAtGreatDepth_data();
     void foldedPointsStayInsideAtGreatDepth();
     void attractorsStayInsideAtTheGreatestDepths_data();
@@ -223,6 +224,37 @@ void TestSphereBounds::contractingSetsShareATightBoundAtAnyDepth()
                     radius <= 1.05 * shallow && radius >= 0.95 * shallow,
                     qPrintable(
                         QStringLiteral("round %1 depth %2: %3 %4").arg(round).arg(depth).arg(radius).arg(shallow)));
+            }
+        }
+    }
+}
+
+/// What makes one sphere good for every depth: each lies in that of the level before, through every map.
+void TestSphereBounds::sharedBoundsHoldTheImagesOfOneAnother()
+{
+    std::mt19937_64 random(25);
+    for (int round = 0; round < 400; ++round) {
+        naive::Fractal fractal;
+        for (int i = 0; i < 3; ++i) {
+            fractal.maps.push_back(randomMap(random, std::array{0.3, 0.8, 0.97}[random() % 3]));
+        }
+        fractal.sets = naive::randomSets(random, 3);
+        fractal.items = {{1'000'000, 0, naive::randomItems(random, fractal.sets.size(), 0, 4)}};
+        const FractalDescription description = fractal.description();
+        const Mesh mesh = randomMesh(random);
+        const FractalGraph graph = FractalGraph::build(description, boundingSphere(mesh)).value();
+        const Folder folder(description);
+        const Position looked = std::min<Position>(200, description.levels.levelCount() / 2);
+        for (Position position = 0; position < looked; ++position) {
+            const Sphere inner = graph.bound(position + 1);
+            const Sphere outer = graph.bound(position);
+            for (int i = 0; i < 10; ++i) { // points of the inner sphere's surface
+                Point point{uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
+                const long double length = distance(point, glm::dvec3(0));
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    point[axis] = inner.centre[static_cast<int>(axis)] + point[axis] / length * inner.radius;
+                }
+                QVERIFY(holds(outer, folder.fold(position, point, random), 1e-14L));
             }
         }
     }
