@@ -108,6 +108,12 @@ void Viewport::setProjection(Projection projection)
 
 bool Viewport::isPictureFinished() const
 {
+    return hasNothingToDraw() && !isMoving();
+}
+
+/// Until the camera moves, or has rested long enough for a fine picture.
+bool Viewport::hasNothingToDraw() const
+{
     return m_renderer && m_renderer->isFinished() && !m_isSceneNew && !(m_resetsView && m_scene)
         && m_begun == request();
 }
@@ -171,7 +177,7 @@ void Viewport::drawOn()
     m_renderer->step(slice);
     announceProgress();
     doneCurrent();
-    if (isPictureFinished()) {
+    if (hasNothingToDraw()) {
         m_drawing.stop();
     }
 }

@@ -80,6 +80,7 @@ private:
     void release();
     void reportWhetherAvailable();
     void drawOn();
+    [[nodiscard]] bool hasNothingToDraw() const;
     void beginPictureIfDue();
     void announceProgress();
     void cameraChanged();

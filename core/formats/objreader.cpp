@@ -89,7 +89,7 @@ private:
             // "3\" at the end of a line is the word 3 and the mark that the line goes on.
             if (word.size() > 1 && word.back() == '\\') {
                 m_words.push_back(word.substr(0, word.size() - 1));
-                m_words.push_back("\\");
+                m_words.push_back(word.substr(word.size() - 1)); // of the text, as errors name its place
             } else {
                 m_words.push_back(word);
             }

@@ -125,6 +125,8 @@ void TestObjReader::errorsNameTheirPlace_data()
     row("in a continued line", "f 1 \\\n2 \\\n9", "7:1 no vertex 9: 4 vertices so far");
     row("column in code points", "# \u00E9\nf 1 2 \u00E9", "6:7 \"\u00E9\" is not a vertex index");
     row("backslash at the very end", "f 1 2 3 \\", "5:9 \"\\\" is not a vertex index");
+    row("backslash at the very end of a word", "f 1 2 3\\", "5:8 \"\\\" is not a vertex index");
+    row("backslash in the middle of a line", "f 1\\ 2 3", "5:4 \"\\\" is not a vertex index");
     row("NUL", QByteArray("v 1 2 \0", 7), "5:7 \"\uFFFD\" is not a number");
     QTest::newRow("one vertex so far") << QByteArray("v 0 0 0\nf 1 1 2") << "2:7 no vertex 2: 1 vertex so far";
     QTest::newRow("no vertex so far") << QByteArray("f 1 2 3") << "1:3 no vertex 1: 0 vertices so far";

@@ -140,6 +140,10 @@ void TestExamples::summariesOfWhatIsNotOneIteration()
     QVERIFY(snowflake.levelSizes == (std::vector<std::uint64_t>{1, 2, 3, 7, 7, 7, 7}));
     QVERIFY(!snowflake.isContracting); // the turns round it keep sizes
 
+    const Summary romanesco = summarise(*scene(QStringLiteral("romanesco"), 2));
+    QVERIFY(!romanesco.iteration); // a recursive stands in it
+    QCOMPARE(romanesco.levelCount, Position(2 * 97));
+
     const Summary deep = summarise(*scene(QStringLiteral("tree"), 1'000'000));
     QVERIFY(deep.levelSizes.empty());
     QCOMPARE(deep.iteration->depth, 1'000'000u);
