@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
 #include <cstdio>
+#include <new>
 #include <print>
 
 #include <QApplication>
@@ -35,7 +36,8 @@ bool hasDisplay()
         || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-int runEditor(int argc, char *argv[], const QStringList &files)
+/// file is empty for the example.
+int runEditor(int argc, char *argv[], const QString &file)
 {
     constexpr auto noDisplay = "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY). "
                                "Without one, \"romanesco render FILE -o OUT.png\" draws a picture";
@@ -57,7 +59,7 @@ int runEditor(int argc, char *argv[], const QStringList &files)
     }
 
     MainWindow window;
-    const bool isOpen = !files.isEmpty() && window.openFile(files.constFirst());
+    const bool isOpen = !file.isEmpty() && window.openFile(file);
     if (!isOpen) {
         window.openExample();
     }
@@ -97,7 +99,12 @@ int main(int argc, char *argv[])
         return cli::Done;
     }
     if (const cli::Command *command = cli::findCommand(first)) {
-        return command->run(arguments);
+        try {
+            return command->run(arguments);
+        } catch (const std::bad_alloc &) {
+            cli::complain(QStringLiteral("there is not enough memory for this"));
+            return cli::CannotDo;
+        }
     }
     if (first.startsWith(QLatin1Char('-'))) {
         return usageError(QStringLiteral("unknown option %1").arg(first));
@@ -106,5 +113,8 @@ int main(int argc, char *argv[])
     if (!looksLikeFile && !QFileInfo::exists(first)) {
         return usageError(QStringLiteral("%1 is neither a command nor a file").arg(first));
     }
-    return runEditor(argc, argv, QStringList{first} + arguments);
+    if (!arguments.isEmpty()) {
+        return usageError(QStringLiteral("the editor opens one file, given %1").arg(arguments.size() + 1));
+    }
+    return runEditor(argc, argv, first);
 }

@@ -19,6 +19,9 @@ namespace romanesco {
 
 namespace {
 
+/// Every edit moves the marks, every movement of the cursor draws them.
+constexpr std::size_t mostMarks = 1'000;
+
 constexpr qreal leastPointSize = 4;
 constexpr qreal greatestPointSize = 96;
 
@@ -92,6 +95,9 @@ void FdoEditor::setDiagnostics(const Diagnostics &diagnostics, const TextSnapsho
     for (const Diagnostic &diagnostic : diagnostics) {
         if (diagnostic.severity() == Severity::Hint) {
             continue;
+        }
+        if (m_problems.size() == mostMarks) {
+            break;
         }
         const int begin = text.position(diagnostic.range.begin);
         const int end = text.position(diagnostic.range.end);

@@ -19,6 +19,9 @@ constexpr std::size_t mostStates = 50'000;
 
 constexpr unsigned allPlanes = 0b11111;
 
+/// Nothing smaller is walked into, in pixels.
+constexpr double leastTolerance = 1e-6;
+
 /// An upper bound of the operator norm at the price of nine products.
 double frobeniusNorm(const glm::dmat3 &matrix)
 {
@@ -54,7 +57,7 @@ Cut::Cut(const Scene &scene)
 void Cut::begin(const Projector &projector, double pixelTolerance)
 {
     m_projector = projector;
-    m_tolerance = pixelTolerance;
+    m_tolerance = std::max(pixelTolerance, leastTolerance);
     m_instances = 0;
     m_visited = 0;
     m_memory = 0;
@@ -95,11 +98,12 @@ const std::vector<Instance> &Cut::next(std::size_t count)
     if (m_handedOut) {
         m_ready.clear();
     }
-    while (!m_open.empty() && m_ready.size() < count) {
+    for (std::size_t visits = 0; !m_open.empty() && m_ready.size() < count && visits < 4 * count; ++visits) {
         const Node node = m_open.back();
         m_open.pop_back();
         visit(node);
-        if (m_table.stateCount() > mostStates) {
+        // Those on the way down are made anew, which has to be worth it.
+        if (m_table.stateCount() > std::max(mostStates, 2 * m_open.size())) {
             forgetStates();
         }
     }

@@ -41,7 +41,8 @@ struct Projector {
 
 /// The copies to draw for a view: the graph walked from its root with camera-relative maps in double; what is outside
 /// the view is dropped, and where a bound is smaller on the screen than the tolerance, one base mesh stands for all
-/// below. Its cost follows what is seen, about (pixels / tolerance)^dimension, never the number of instances.
+/// below. Where maps contract, its cost follows what is seen, about (pixels / tolerance)^dimension, whatever the number
+/// of instances. (Copies of one size, or many at one place, are all drawn that are in view.)
 ///
 /// Works in slices and holds the way down, not the result. One thread.
 class Cut
@@ -50,12 +51,15 @@ public:
     /// scene must outlive the cut.
     explicit Cut(const Scene &scene);
 
-    /// Starts over. A tolerance of 0 gives every instance that is in view.
+    /// Starts over. A tolerance of 0 gives every instance that is in view and larger than a millionth of a pixel.
     void begin(const Projector &projector, double pixelTolerance);
 
-    /// The next copies, about `count` of them (more where one state has more children), in the graph's order; none when
-    /// the cut is complete. The reference holds until the next call.
+    /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
+    /// walked without finding any, so that each call is short. The reference holds until the next call.
     [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
+
+    /// Nothing is left to be found.
+    [[nodiscard]] bool isComplete() const { return m_open.empty() && m_handedOut; }
 
     [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
     [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }

@@ -26,6 +26,7 @@ void OrbitCamera::fit(const Scene &scene, double aspect)
 void OrbitCamera::refit(const Scene &scene, double aspect)
 {
     m_camera = fittedCamera(m_camera, scene, aspect);
+    m_sceneSize = glm::length(scene.extent.size());
     // The pivot is the point of the view's axis that is nearest to the middle, so that turning keeps the scene in view.
     const glm::dvec3 &forward = m_camera.worldFromCamera[2];
     m_pivot = m_camera.position + forward * glm::dot(scene.extent.centre() - m_camera.position, forward);
@@ -55,6 +56,12 @@ void OrbitCamera::pan(const glm::dvec2 &movement)
 
 void OrbitCamera::zoom(double factor, const glm::dvec2 &pointer)
 {
+    // Between a ten-thousandth of the scene and a million times it: past that, numbers and the near plane end the view.
+    if (m_sceneSize > 0.0) {
+        const double height = planeHeight();
+        factor =
+            std::clamp(factor, std::min(1.0, 1e-4 * m_sceneSize / height), std::max(1.0, 1e6 * m_sceneSize / height));
+    }
     const glm::dvec3 target = m_pivot + m_camera.worldFromCamera * glm::dvec3(pointer * planeHeight(), 0.0);
     m_camera.position = target + (m_camera.position - target) * factor;
     m_pivot = target + (m_pivot - target) * factor;

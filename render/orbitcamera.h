@@ -25,7 +25,8 @@ public:
     void orbit(const glm::dvec2 &movement);
     /// Moves with the pointer, so that the pivot's plane stays under it.
     void pan(const glm::dvec2 &movement);
-    /// Moves towards (factor < 1) or away from the point of the pivot's plane under the pointer.
+    /// Moves towards (factor < 1) or away from the point of the pivot's plane under the pointer, from a ten-thousandth
+    /// of the scene in view to a million times it.
     void zoom(double factor, const glm::dvec2 &pointer);
     /// Perspective and orthographic, the pivot's plane kept at its size.
     void setProjection(Projection projection);
@@ -41,6 +42,7 @@ private:
 
     Camera m_camera;
     glm::dvec3 m_pivot{0.0};
+    double m_sceneSize = 0.0;
     double m_yaw = 0.0;
     double m_pitch = 0.0;
 };

@@ -22,10 +22,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 3 MB. In software a chunk
-/// takes about ten milliseconds, which is how finely a slice can end.
+/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 3 MB.
 constexpr std::size_t chunkSize = 8'192;
 constexpr std::size_t chunkCount = 8;
+/// Of one draw call. In software these take about ten milliseconds, which is how finely a slice can end.
+constexpr std::size_t mostFaces = 100'000;
 
 /// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
 /// square evenly for every n. The only sample of one is the centre itself.
@@ -74,7 +75,9 @@ public:
             }
             *program = std::move(*made);
         }
-        makeRing();
+        if (!makeRing()) {
+            return std::unexpected(std::string("The graphics driver has no room for the drawing buffers."));
+        }
         makeVertexArrays();
         return {};
     }
@@ -186,13 +189,14 @@ private:
 
     // ---- Resources
 
-    void makeRing()
+    bool makeRing()
     {
         constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
         constexpr GLsizeiptr bytes = chunkCount * chunkSize * sizeof(Instance);
         m_ring = makeBuffer();
         glNamedBufferStorage(m_ring, bytes, nullptr, access);
         m_mapped = static_cast<Instance *>(glMapNamedBufferRange(m_ring, 0, bytes, access));
+        return m_mapped != nullptr;
     }
 
     void makeVertexArrays()
@@ -233,6 +237,7 @@ private:
         glVertexArrayElementBuffer(m_array, m_faces);
         m_indexCount = static_cast<GLsizei>(mesh.faces.size() * 3);
         m_meshBytes = vertexBytes + faceBytes;
+        m_copiesPerDraw = std::clamp<std::size_t>(mostFaces / (mesh.faces.size() + 1), 1, chunkSize);
     }
 
     // ---- Passes
@@ -253,20 +258,23 @@ private:
 
     void drawChunk()
     {
-        const std::vector<Instance> *instances = m_cut ? &m_cut->next(chunkSize) : nullptr;
-        if (!instances || instances->empty()) {
+        if (!m_cut || m_cut->isComplete()) {
             m_isDrawn = true;
             glDeleteSync(m_passFence);
             m_passFence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
             glFlush();
             return;
         }
+        const std::vector<Instance> &instances = m_cut->next(m_copiesPerDraw);
+        if (instances.empty()) {
+            return;
+        }
         bindForDrawing();
-        for (std::size_t at = 0; at < instances->size(); at += chunkSize) {
-            const std::size_t count = std::min(chunkSize, instances->size() - at);
+        for (std::size_t at = 0; at < instances.size(); at += m_copiesPerDraw) {
+            const std::size_t count = std::min(m_copiesPerDraw, instances.size() - at);
             GLsync &fence = m_chunkFences[m_chunk];
             waitFor(fence);
-            std::memcpy(m_mapped + m_chunk * chunkSize, instances->data() + at, count * sizeof(Instance));
+            std::memcpy(m_mapped + m_chunk * chunkSize, instances.data() + at, count * sizeof(Instance));
             glDrawElementsInstancedBaseInstance(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr,
                                                 static_cast<GLsizei>(count), static_cast<GLuint>(m_chunk * chunkSize));
             fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -375,6 +383,7 @@ private:
     GlBuffer m_faces;
     GLsizei m_indexCount = 0;
     std::size_t m_meshBytes = 0;
+    std::size_t m_copiesPerDraw = chunkSize;
     GlBuffer m_ring;
     Instance *m_mapped = nullptr;
     std::array<GLsync, chunkCount> m_chunkFences{};

@@ -69,6 +69,9 @@ void Document::startText(const QString &path, const TextFileForm &form)
 
 std::expected<void, QString> Document::saveAs(const QString &path)
 {
+    if (path == m_path && !m_form.isFaithful) {
+        return std::unexpected(tr("it holds characters that would be lost; choose another name"));
+    }
     QSaveFile file(path);
     const QByteArray bytes = toBytes(*m_editor.document(), m_form.hasByteOrderMark);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit()) {

@@ -27,7 +27,8 @@ public:
     [[nodiscard]] std::expected<void, QString> open(const QString &path);
     /// An empty text without a file.
     void startNew();
-    /// Writes the text, whole or not at all, and goes on with that file. The undo history stays. The error is a phrase.
+    /// Writes the text, whole or not at all, and goes on with that file. The undo history stays. Never over a file whose
+    /// characters the editor cannot keep. The error is a phrase.
     [[nodiscard]] std::expected<void, QString> saveAs(const QString &path);
 
     /// Empty for a text that has no file yet; starts with ":/" for one that the program brought along.

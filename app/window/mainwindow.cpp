@@ -39,8 +39,10 @@ const QString examplesFolder = QStringLiteral(":/examples");
 /// Window sizes and such are state, not settings (XDG Base Directory 0.8).
 QString stateFile()
 {
-    const QString folder =
-        qEnvironmentVariable("XDG_STATE_HOME", QDir::home().filePath(QStringLiteral(".local/state")));
+    QString folder = qEnvironmentVariable("XDG_STATE_HOME");
+    if (folder.isEmpty()) {
+        folder = QDir::home().filePath(QStringLiteral(".local/state"));
+    }
     return folder + QStringLiteral("/romanesco/window.ini");
 }
 
@@ -206,7 +208,7 @@ void MainWindow::connectPreview()
             showTrouble();
         }
     });
-    connect(&m_pane->strip(), &MessageStrip::followed, this, [this] { goTo(m_troublePlace, m_document.text()); });
+    connect(&m_pane->strip(), &MessageStrip::followed, this, [this] { goTo(m_troublePlace, m_troubleText); });
 }
 
 void MainWindow::restoreLayout()
@@ -272,8 +274,11 @@ bool MainWindow::saveAs()
     if (!m_document.path().isEmpty() && !m_document.isExample()) {
         proposal = m_document.path();
     }
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save As"), proposal, fileFilter());
-    return !path.isEmpty() && saveFile(path);
+    QFileDialog dialog(this, tr("Save As"), QString(), fileFilter());
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QFileInfo(proposal).suffix());
+    dialog.selectFile(proposal);
+    return dialog.exec() == QDialog::Accepted && saveFile(dialog.selectedFiles().constFirst());
 }
 
 bool MainWindow::saveFile(const QString &path)
@@ -350,11 +355,16 @@ void MainWindow::dropEvent(QDropEvent *event)
 
 void MainWindow::startText()
 {
+    // Nothing of the old text stays: its places mean nothing in this one.
     m_preview.forget();
+    showDiagnostics({}, m_document.text());
+    m_textTrouble.clear();
+    showTrouble();
     m_depth.clear();
     m_isFirstScene = true;
     m_viewport.setScene(nullptr);
     m_status->setSummary(std::nullopt);
+    m_status->clearDrawn();
     updateDepth();
 }
 
@@ -363,14 +373,18 @@ void MainWindow::build()
     m_preview.build(m_document.scenePath(), m_document.text());
 }
 
-void MainWindow::showPreview(const Preview &preview)
+void MainWindow::showDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text)
 {
-    m_editor->setDiagnostics(preview.diagnostics, preview.text);
-    m_problems->setDiagnostics(m_document.name(), preview.diagnostics, preview.text);
+    m_editor->setDiagnostics(diagnostics, text);
+    m_problems->setDiagnostics(m_document.name(), diagnostics, text);
     const QString counts = m_problems->counts();
     m_problemsDock->setWindowTitle(counts.isEmpty() ? tr("Problems") : tr("Problems — %1").arg(counts));
     m_problemsDock->toggleViewAction()->setText(tr("Problems"));
+}
 
+void MainWindow::showPreview(const Preview &preview)
+{
+    showDiagnostics(preview.diagnostics, preview.text);
     if (preview.scene) {
         if (preview.scene->depth) {
             const SourceRange place = preview.scene->depth->range;
@@ -389,6 +403,7 @@ void MainWindow::showPreview(const Preview &preview)
     const auto error = std::ranges::find_if(preview.diagnostics, &Diagnostic::isError);
     if (error != preview.diagnostics.end()) {
         m_troublePlace = error->range;
+        m_troubleText = preview.text;
         const std::size_t line = LineMap(preview.text.bytes()).position(error->range.begin).line;
         m_textTrouble = tr("line %1: %2").arg(line).arg(QString::fromStdString(error->message()));
     }

@@ -68,6 +68,7 @@ private:
 
     void startText();
     void build();
+    void showDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text);
     void showPreview(const Preview &preview);
     void showTrouble();
     void showCursorPlace();
@@ -95,6 +96,7 @@ private:
     /// Of the newest text, for the strip: what is wrong and where; what is wrong with its picture.
     QString m_textTrouble;
     SourceRange m_troublePlace;
+    TextSnapshot m_troubleText;
     QString m_pictureTrouble;
     /// The next scene is the first of its file.
     bool m_isFirstScene = true;

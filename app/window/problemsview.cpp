@@ -3,6 +3,8 @@
 #include "problemsview.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include <QFontDatabase>
 #include <QPainter>
@@ -16,8 +18,10 @@ namespace {
 
 enum Column { Place, Message };
 constexpr int columnGap = 24;
+/// More than anybody reads; a file of another kind may have one on every line.
+constexpr std::size_t mostRows = 1'000;
 
-QIcon dot(Severity severity)
+QIcon makeDot(Severity severity)
 {
     constexpr int side = 64;
     QPixmap picture(side, side);
@@ -28,6 +32,12 @@ QIcon dot(Severity severity)
     painter.setBrush(severityColour(severity));
     painter.drawEllipse(QRectF(side / 4.0, side / 4.0, side / 2.0, side / 2.0));
     return QIcon(picture);
+}
+
+QIcon dot(Severity severity)
+{
+    static const std::array dots{makeDot(Severity::Error), makeDot(Severity::Warning), makeDot(Severity::Hint)};
+    return dots[static_cast<std::size_t>(severity)];
 }
 
 QString severityWord(Severity severity)
@@ -55,7 +65,9 @@ ProblemsView::ProblemsView(QWidget *parent)
     setFrameShape(NoFrame);
     setColumnCount(2);
     const auto choose = [this](QTreeWidgetItem *item) {
-        Q_EMIT chosen(m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(item))].range, m_text);
+        if (item->flags() != Qt::NoItemFlags) {
+            Q_EMIT chosen(m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(item))].range, m_text);
+        }
     };
     connect(this, &QTreeWidget::itemClicked, this, choose);
     connect(this, &QTreeWidget::itemActivated, this, choose);
@@ -68,7 +80,7 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
     clear();
     const LineMap lines(text.bytes());
     const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    for (const Diagnostic &diagnostic : diagnostics) {
+    for (const Diagnostic &diagnostic : std::span(diagnostics).first(std::min(diagnostics.size(), mostRows))) {
         const TextPosition at = lines.position(diagnostic.range.begin);
         const QString message = QString::fromStdString(diagnostic.message());
         const QString word = severityWord(diagnostic.severity());
@@ -80,6 +92,11 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
         item->setText(Message, message);
         item->setToolTip(Message, message);
         item->setData(Message, Qt::AccessibleTextRole, tr("%1: %2", "severity: message").arg(word, message));
+    }
+    if (diagnostics.size() > mostRows) {
+        auto *rest = new QTreeWidgetItem(this);
+        rest->setText(Message, tr("and %1 more").arg(diagnostics.size() - mostRows));
+        rest->setFlags(Qt::NoItemFlags);
     }
     resizeColumnToContents(Place);
     setColumnWidth(Place, columnWidth(Place) + columnGap);

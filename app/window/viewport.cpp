@@ -61,7 +61,6 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     m_isSceneNew = true;
     // A text that changes is followed coarsely where a fine picture takes its time.
     if (m_fineMilliseconds > slowMilliseconds) {
-        m_sinceMovement.restart();
         m_rest.start();
     }
     m_drawing.start();
@@ -258,13 +257,12 @@ Viewport::Request Viewport::request() const
 
 bool Viewport::isMoving() const
 {
-    return m_sinceMovement.isValid() && !m_sinceMovement.hasExpired(std::chrono::milliseconds(restAfter).count());
+    return m_rest.isActive();
 }
 
 void Viewport::cameraChanged()
 {
     ++m_cameraRevision;
-    m_sinceMovement.restart();
     m_rest.start();
     m_drawing.start();
 }

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
@@ -97,7 +96,7 @@ private:
 
     OrbitCamera m_orbit;
     quint64 m_cameraRevision = 0;
-    QElapsedTimer m_sinceMovement;
+    /// Runs while the camera counts as moving.
     QTimer m_rest;
     /// Runs while the picture is not finished.
     QTimer m_drawing;

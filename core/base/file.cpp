@@ -13,6 +13,9 @@ namespace romanesco {
 
 namespace {
 
+/// A file is read whole; one of a mistaken size must not take all the memory there is.
+constexpr off_t largestFile = 2'000'000'000;
+
 class Descriptor
 {
 public:
@@ -70,6 +73,9 @@ std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::p
     }
     if (!S_ISREG(status.st_mode)) {
         return std::unexpected("it is not a regular file");
+    }
+    if (status.st_size > largestFile) {
+        return std::unexpected("it is larger than 2 GB");
     }
 
     // The size is a hint: a file may grow or shrink while it is read.

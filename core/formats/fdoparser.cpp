@@ -143,7 +143,8 @@ private:
         for (Token token = ahead.take(); !token.is(TokenKind::EndOfLine) && !token.is(TokenKind::Hash);
              token = ahead.take()) {
             const bool isPossible = token.is(TokenKind::Number) || token.is(TokenKind::Name)
-                || token.is(TokenKind::Comma) || token.is(TokenKind::Unknown);
+                || token.is(TokenKind::Comma) || token.is(TokenKind::Unknown) || token.is(TokenKind::OpenParenthesis)
+                || token.is(TokenKind::CloseParenthesis);
             if (!isPossible) {
                 return false;
             }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "core/text/linemap.h"
 #include "fdoparser.h"
@@ -281,18 +282,21 @@ private:
         set.range = expression.range;
         std::unordered_set<AffineMap, AffineMapHash> seen;
         bool isGood = true;
+        bool hasRepeats = false;
         for (const TransformationUse &use : expression.uses) {
             const std::optional<AffineMap> map = resolveUse(use);
             if (!map) {
                 isGood = false;
                 break; // one message a line
             }
-            if (!seen.insert(*map).second) {
+            const bool isNew = seen.insert(*map).second;
+            if (!isNew && !std::exchange(hasRepeats, true)) {
                 const std::string text(m_syntax.text.substr(use.range.begin, use.range.length()));
                 report(DiagnosticCode::EqualMaps, use.range, {text});
-            } else if (*map == AffineMap{}) {
+            }
+            if (isNew && *map == AffineMap{}) {
                 set.holdsIdentity = true;
-            } else {
+            } else if (isNew) {
                 set.maps.push_back(*map);
                 set.uses.push_back(use.range);
             }

@@ -14,8 +14,8 @@ using Position = std::uint64_t;
 
 /// The levels of a fractal, outermost first, as the text gives them: a run of slots, some of it in repeats. `z 6`
 /// round two sets is two slots and one repeat, not twelve levels; a depth of 10^18 takes no more. Repeats nest as
-/// recursives do. Nested repeats of one pass, or of up to 64
-/// levels, are written out; as what is left doubles the levels each time, repeats nest at most 64 deep.
+/// recursives do. Nested repeats of one pass, or of up to 64 levels, are written out; each of those left at least doubles
+/// the levels, so that repeats nest at most 64 deep.
 ///
 /// A *slot* is a place in that structure, with its set; a *position* is a place in the written-out sequence.
 /// Immutable once built; thread-safe.

@@ -19,7 +19,7 @@ constexpr std::size_t widestMatrix = 48;
 constexpr Position levelsOneByOne = 100'000;
 constexpr std::size_t mostStates = 100'000;
 /// Sums and products, over all levels that are looked at one by one.
-constexpr std::uint64_t mostTerms = 50'000'000;
+constexpr std::uint64_t mostTerms = 5'000'000;
 
 /// Maps that occur in the same sets and so always come together.
 struct Part {

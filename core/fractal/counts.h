@@ -15,7 +15,7 @@ namespace romanesco {
 
 /// The canonical words: instances that differ. Exact wherever Count is. Nothing where counting would take more than
 /// some seconds: more than 48 different sets in a repeat of more than 10^5 levels, thousands of levels of as many sets
-/// (levels times sets above 5·10^7), or a map shared by a set that may be passed over and one that may not, with more
+/// (levels times sets above 5·10^6), or a map shared by a set that may be passed over and one that may not, with more
 /// than 10^5 states.
 ///
 /// Counts from the last level up. L(p), the words from position p on, are the empty word (if no pick is needed) and,

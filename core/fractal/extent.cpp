@@ -14,11 +14,17 @@ namespace romanesco {
 
 namespace {
 
-/// A copy of a state, or (where isLeaf) of the base mesh, with the farthest that it can reach.
+/// Looking at a copy of a sphere costs about as much as looking at so many faces.
+constexpr std::size_t facesPerCopy = 16;
+
+/// A copy of a state or of the base mesh, with the farthest that it can reach; of a leaf that was measured, with what it
+/// reaches.
 struct Candidate {
+    enum class Kind { State, Leaf, MeasuredLeaf };
+
     double reach;
     StateId state;
-    bool isLeaf;
+    Kind kind;
     AffineMap map;
     double norm;
 
@@ -43,23 +49,32 @@ double reachOfSphere(const Sphere &sphere, const glm::dvec3 &direction)
 
 double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &direction, std::size_t budget)
 {
+    using Kind = Candidate::Kind;
     std::priority_queue<Candidate> open;
     const double whole = reachOfSphere(table.state(table.root()).bound, direction);
-    open.push({whole, table.root(), false, {}, 1.0});
+    open.push({whole, table.root(), Kind::State, {}, 1.0});
     std::size_t looked = 0;
-    while (!open.top().isLeaf && looked < budget) {
+    while (open.top().kind != Kind::MeasuredLeaf && looked < budget) {
         const Candidate parent = open.top();
         open.pop();
+        if (parent.kind == Kind::Leaf) {
+            const double reach = std::min(parent.reach, reachOfMesh(parent.map, mesh, direction));
+            open.push({reach, parent.state, Kind::MeasuredLeaf, parent.map, parent.norm});
+            looked += 1 + mesh.faces.size() / facesPerCopy;
+            continue;
+        }
         const Expansion &expansion = table.expansion(parent.state);
         if (expansion.hasLeaf) {
-            open.push({reachOfMesh(parent.map, mesh, direction), parent.state, true, parent.map, parent.norm});
+            const Sphere bound = transformed(parent.map, parent.norm, table.graph().base());
+            open.push({std::min(parent.reach, reachOfSphere(bound, direction)), parent.state, Kind::Leaf, parent.map,
+                       parent.norm});
         }
-        looked += expansion.bounds.size();
+        looked += 1 + expansion.bounds.size();
         std::size_t child = 0;
         for (const ChildRange &range : expansion.ranges) {
             for (std::uint32_t i = range.firstMap; i < range.endMap; ++i, ++child) {
                 const Sphere bound = transformed(parent.map, parent.norm, expansion.bounds[child]);
-                open.push({std::min(parent.reach, reachOfSphere(bound, direction)), range.next, false,
+                open.push({std::min(parent.reach, reachOfSphere(bound, direction)), range.next, Kind::State,
                            parent.map * table.graph().set(range.set).maps[i],
                            parent.norm * table.graph().norms(range.set)[i]});
             }

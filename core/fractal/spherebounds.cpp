@@ -20,6 +20,8 @@ constexpr double sharedFrom = 1.0 / 128.0;
 /// Never more spheres than these.
 constexpr Position longestContractingTail = 4'096;
 constexpr Position longestTail = 65'536;
+/// Nor longer than a second or so of work: maps looked at, each some hundred distances.
+constexpr std::size_t mostMaps = 1'000'000;
 
 Growth composed(const Growth &outer, const Growth &inner)
 {
@@ -61,12 +63,13 @@ public:
     {
         m_bounds.m_tail.front() = m_base;
         const Position count = m_levels.levelCount();
+        findLargestNorms();
         const Position own = contractingTail();
         const bool hasInvariant = own < std::min(count, longestContractingTail) && findInvariant();
         buildTail(hasInvariant ? own : std::min(count, longestTail));
         if (!hasInvariant) {
             m_bounds.m_invariant.clear();
-            if (count > longestTail) {
+            if (count >= m_bounds.m_tail.size()) {
                 buildGrowth();
             }
         }
@@ -77,10 +80,13 @@ private:
     const TransformSet &setAt(Slot slot) const { return m_sets[m_levels.set(slot)]; }
     const std::vector<double> &normsAt(Slot slot) const { return m_norms[m_levels.set(slot)]; }
 
-    double largestNorm(Slot slot) const
+    void findLargestNorms()
     {
-        const std::vector<double> &norms = normsAt(slot);
-        return norms.empty() ? 1.0 : *std::ranges::max_element(norms);
+        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
+            const std::vector<double> &norms = normsAt(slot);
+            m_largestNorm.push_back(norms.empty() ? 1.0 : *std::ranges::max_element(norms));
+            m_mapCount += norms.size();
+        }
     }
 
     /// How many levels at the end keep spheres of their own.
@@ -91,7 +97,7 @@ private:
         Position remaining = 0;
         while (remaining < count && remaining < longestContractingTail && size > sharedFrom) {
             ++remaining;
-            size *= largestNorm(m_levels.locate(count - remaining).slot);
+            size *= m_largestNorm[m_levels.locate(count - remaining).slot];
         }
         return remaining;
     }
@@ -114,8 +120,11 @@ private:
     void buildTail(Position length)
     {
         const Position count = m_levels.levelCount();
-        for (Position remaining = 1; remaining <= length; ++remaining) {
-            m_bounds.m_tail.push_back(oneLevelUp(m_levels.locate(count - remaining).slot, m_bounds.m_tail.back()));
+        std::size_t looked = 0;
+        for (Position remaining = 1; remaining <= length && looked <= mostMaps; ++remaining) {
+            const Slot slot = m_levels.locate(count - remaining).slot;
+            m_bounds.m_tail.push_back(oneLevelUp(slot, m_bounds.m_tail.back()));
+            looked += normsAt(slot).size();
         }
     }
 
@@ -185,7 +194,7 @@ private:
         groupSlots();
         std::vector<Sphere> &spheres = m_bounds.m_invariant;
         spheres.assign(m_levels.slotCount(), m_base);
-        constexpr int rounds = 400;
+        const int rounds = static_cast<int>(std::clamp<std::size_t>(mostMaps / (m_mapCount + 1), 4, 400));
         for (int round = 0; round < rounds; ++round) {
             double change = 0.0;
             forEachGroup([&](Slot slot) {
@@ -289,6 +298,8 @@ private:
     const std::vector<std::vector<double>> &m_norms;
     const Sphere m_base;
     SphereBounds m_bounds;
+    std::vector<double> m_largestNorm;
+    std::size_t m_mapCount = 0;
     std::vector<Slot> m_group;
     std::vector<Sphere> m_spheres;
 };

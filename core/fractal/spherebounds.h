@@ -21,7 +21,8 @@ class SphereBounds
 public:
     SphereBounds() = default;
 
-    /// norms are the operator norms of the maps, beside them. Cost: some hundred distances for each map.
+    /// norms are the operator norms of the maps, beside them. Cost: some hundred distances for each map,
+    /// never more than a second or so.
     SphereBounds(const LevelSequence &levels, const std::vector<TransformSet> &sets,
                  const std::vector<std::vector<double>> &norms, const Sphere &base);
 

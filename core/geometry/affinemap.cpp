@@ -131,13 +131,4 @@ bool isSimilarity(const glm::dmat3 &matrix)
     return largestEntry(gram - glm::dmat3(square)) <= 1e-12 * square;
 }
 
-bool isFinite(const AffineMap &map)
-{
-    const auto isFiniteVector = [](const glm::dvec3 &v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    return isFiniteVector(map.linear[0]) && isFiniteVector(map.linear[1]) && isFiniteVector(map.linear[2])
-        && isFiniteVector(map.translation);
-}
-
 }

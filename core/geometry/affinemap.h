@@ -39,7 +39,4 @@ struct AffineMapHash {
 /// Whether the matrix is a uniform scale times a rotation or reflection, within 1e-12 of its norm.
 [[nodiscard]] bool isSimilarity(const glm::dmat3 &matrix);
 
-/// No number is infinite or NaN.
-[[nodiscard]] bool isFinite(const AffineMap &map);
-
 }

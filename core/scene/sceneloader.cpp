@@ -3,6 +3,7 @@
 #include "sceneloader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <format>
 
 #include "core/formats/fdoresolver.h"
@@ -62,7 +63,12 @@ SceneResult SceneLoader::loadObj(std::string_view text)
         return result;
     }
     auto mesh = std::make_shared<const Mesh>(std::move(read.mesh));
-    FractalGraph graph = FractalGraph::ofMesh(boundingSphere(*mesh));
+    const Sphere base = boundingSphere(*mesh);
+    if (!std::isfinite(base.radius * base.radius)) {
+        result.diagnostics.push_back({DiagnosticCode::Overflow, {0, 0}, {}});
+        return result;
+    }
+    FractalGraph graph = FractalGraph::ofMesh(base);
     const Box box = extent(graph, *mesh);
     result.scene = std::make_shared<const Scene>(Scene{mesh, std::move(graph), box, {}, std::nullopt});
     return result;

@@ -135,6 +135,23 @@ private Q_SLOTS:
         QVERIFY(glm::distance(glm::dvec2(after), glm::dvec2(before)) < 1e-6);
     }
 
+    void zoomComesBackFromBothEnds()
+    {
+        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
+        OrbitCamera orbit;
+        orbit.fit(*scene, 1.0);
+        const double distance = glm::distance(orbit.camera().position, orbit.pivot());
+        for (const double factor : {0.1, 10.0}) {
+            for (int notch = 0; notch < 500; ++notch) {
+                orbit.zoom(factor, {0.0, 0.0});
+            }
+            const double ratio = glm::distance(orbit.camera().position, orbit.pivot()) / distance;
+            QVERIFY(ratio > 1e-5 && ratio < 1e7);
+            orbit.zoom(1.0 / ratio, {0.0, 0.0});
+            QVERIFY(std::abs(glm::distance(orbit.camera().position, orbit.pivot()) / distance - 1.0) < 1e-6);
+        }
+    }
+
     void projectionsShowThePivotAtTheSameSize()
     {
         const auto scene = test::sceneOf("<$>. \"box.obj\"\n");

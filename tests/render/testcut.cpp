@@ -32,13 +32,11 @@ std::vector<Instance> wholeCut(Cut &cut, const Projector &projector, double tole
 {
     std::vector<Instance> all;
     cut.begin(projector, tolerance);
-    while (true) {
+    while (!cut.isComplete()) {
         const std::vector<Instance> &some = cut.next(1'000);
-        if (some.empty()) {
-            return all;
-        }
         all.insert(all.end(), some.begin(), some.end());
     }
+    return all;
 }
 
 std::vector<Instance> wholeCut(const Scene &scene, const Camera &camera, double tolerance)
@@ -188,6 +186,23 @@ private Q_SLOTS:
             const glm::dvec3 p(instance.rows[0][3], instance.rows[1][3], instance.rows[2][3]);
             QVERIFY(std::abs(p.x) * projector.scaleX <= p.z && std::abs(p.y) * projector.scaleY <= p.z);
         }
+    }
+
+    /// Where much is walked and little found, a call still comes back soon.
+    void aCallIsShortHoweverLittleIsFound()
+    {
+        const auto scene =
+            test::sceneOf("v 1 0 0\nv 0 1 0\nx. \"box.obj\"\nk.p. (p, #, #)\nz<x>. [k.1, k.2] x\n<$>. z 60000\n");
+        QVERIFY(scene);
+        Cut cut(*scene);
+        cut.begin(Projector(fittedCamera(*scene, 1.0), *scene, width, height), 1.0);
+        for (int call = 0; call < 20; ++call) {
+            const std::uint64_t before = cut.statesVisited();
+            const std::vector<Instance> &some = cut.next(1'000);
+            QVERIFY(some.size() <= 1'001);
+            QVERIFY(cut.statesVisited() - before <= 4'000);
+        }
+        QVERIFY(!cut.isComplete());
     }
 
     /// A chain of a million levels passes through as many states; what is behind is forgotten.

@@ -119,8 +119,7 @@ void TestDiagnostics::everyDiagnosticOfFdoOccurs()
         missing.insert(static_cast<DiagnosticCode>(i));
     }
     for (const DiagnosticCode elsewhere : {DiagnosticCode::NotUtf8, DiagnosticCode::CannotRead, DiagnosticCode::BadMesh,
-                                           DiagnosticCode::MeshWithoutFaces, DiagnosticCode::Overflow,
-                                           DiagnosticCode::MapOverflows, DiagnosticCode::UnexpectedCharacter}) {
+                                           DiagnosticCode::MeshWithoutFaces, DiagnosticCode::Overflow}) {
         missing.erase(elsewhere);
     }
     for (const QString &name : QDir(folder()).entryList({QStringLiteral("*.fdo")}, QDir::Files)) {

@@ -90,7 +90,6 @@ private Q_SLOTS:
     void similaritiesAreTold();
     void scaledRotationsAreSimilarities();
     void equalMapsHaveEqualHashes();
-    void finiteness();
 };
 
 void TestAffineMap::aMapScalesThenRotatesThenMoves()
@@ -214,24 +213,6 @@ void TestAffineMap::equalMapsHaveEqualHashes()
     other.linear[1][2] = std::numeric_limits<double>::denorm_min();
     QVERIFY(!(zero == other));
     QVERIFY(AffineMapHash{}(zero) != AffineMapHash{}(other));
-}
-
-void TestAffineMap::finiteness()
-{
-    QVERIFY(isFinite({}));
-    QVERIFY(isFinite({glm::dmat3(1.7e308), {1.7e308, 0, 0}}));
-    for (const double wrong : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-        for (int i = 0; i < 3; ++i) {
-            AffineMap map;
-            map.translation[i] = wrong;
-            QVERIFY(!isFinite(map));
-            for (int j = 0; j < 3; ++j) {
-                map = {};
-                map.linear[i][j] = wrong;
-                QVERIFY(!isFinite(map));
-            }
-        }
-    }
 }
 
 }
