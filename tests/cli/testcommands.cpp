@@ -72,6 +72,9 @@ private Q_SLOTS:
         write(path("empty.fdo"), "");
         write(path("syntax.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, # #)\n<$>. x\n");
         write(path("nomesh.fdo"), "x. \"gone.obj\"\n<$>. x\n");
+        write(path("huge.obj"), "v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n");
+        QFile sparse(path("sparse.fdo"));
+        QVERIFY(sparse.open(QIODevice::WriteOnly) && sparse.resize(100'000'000'000));
         QVERIFY(QDir(m_folder.path()).mkdir(QStringLiteral("folder.fdo")));
     }
 
@@ -122,6 +125,9 @@ private Q_SLOTS:
         QTest::newRow("empty file") << "empty.fdo" << QByteArray("empty.fdo:1:1: error: the file has no result");
         QTest::newRow("syntax error") << "syntax.fdo" << QByteArray("syntax.fdo:3:12: error: \",\" expected");
         QTest::newRow("missing mesh") << "nomesh.fdo" << QByteArray("nomesh.fdo:1:4: error: cannot read \"gone.obj\"");
+        QTest::newRow("mesh beyond numbers")
+            << "huge.obj" << QByteArray("huge.obj:1:1: error: the fractal grows beyond what can be computed with");
+        QTest::newRow("file beyond memory") << "sparse.fdo" << QByteArray("larger than 2 GB");
         QTest::newRow("missing file") << "gone.fdo" << QByteArray("gone.fdo: no such file");
         QTest::newRow("folder") << "folder.fdo" << QByteArray("it is a directory");
         QTest::newRow("another kind") << "picture.png" << QByteArray("only .fdo and .obj files");
@@ -154,6 +160,7 @@ private Q_SLOTS:
         row("unknown option", {"info", "--colour", good});
         row("unknown command", {"exprot"});
         row("unknown global option", {"--colour"});
+        row("two files to edit", {good, good});
         row("no output", {"render", good});
         row("bad size", {"render", good, "-o", "a.png", "--size", "12"});
         row("size too large", {"render", good, "-o", "a.png", "--size", "100000x10"});

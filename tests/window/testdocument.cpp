@@ -149,6 +149,10 @@ void TestDocument::aTextThatWouldLoseCharactersIsReadOnly()
                 .has_value());
     QVERIFY(sample.editor.isReadOnly());
     QVERIFY(!sample.document.hasOwnFile());
+    // Not even where somebody asks for its own name.
+    const QByteArray before = Sample::read(sample.document.path());
+    QVERIFY(!sample.document.saveAs(sample.document.path()).has_value());
+    QCOMPARE(Sample::read(sample.document.path()), before);
     QVERIFY(sample.document.open(sample.write(QStringLiteral("b.fdo"), "b\n")).has_value());
     QVERIFY(!sample.editor.isReadOnly());
 }

@@ -128,6 +128,9 @@ private Q_SLOTS:
     void anUnreadableFileIsAMessage_data();
     void anUnreadableFileIsAMessage();
     void aFileWithErrorsHasNoPictureOfTheLastFile();
+    void nothingOfAFilesTroubleStaysWithTheNext();
+    void thousandsOfProblemsAreCutShort();
+    void deepFractalsOfOneSizeLeaveTheWindowAlive();
     void aSavedExampleBringsItsMesh();
     void aFailedSaveIsAMessage();
     void theTitleNamesTheFile();
@@ -320,6 +323,52 @@ void TestMainWindow::aFileWithErrorsHasNoPictureOfTheLastFile()
     QVERIFY(sample.waitForEmptyPicture());
     const QImage picture = sample.viewport.grabFramebuffer();
     QVERIFY(qGray(picture.pixel(picture.rect().center())) < 60);
+}
+
+/// At once, not when the next file is built.
+void TestMainWindow::nothingOfAFilesTroubleStaysWithTheNext()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), "<$>. rigt\n")));
+    QVERIFY(sample.waitForStrip(true));
+    QCOMPARE(squiggles(sample.editor), 1);
+    QCOMPARE(sample.problems.topLevelItemCount(), 1);
+    sample.window.openExample();
+    QCOMPARE(sample.strip(), QString());
+    QCOMPARE(squiggles(sample.editor), 0);
+    QCOMPARE(sample.problems.topLevelItemCount(), 0);
+}
+
+void TestMainWindow::thousandsOfProblemsAreCutShort()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), QByteArray("1,2,3\n").repeated(20'000))));
+    QVERIFY(sample.waitForStrip(true));
+    QCOMPARE(sample.problems.topLevelItemCount(), 1'001);
+    QVERIFY(sample.problems.topLevelItem(1'000)->text(1).contains(QStringLiteral("19001")));
+    QCOMPARE(squiggles(sample.editor), 1'000);
+}
+
+/// 2^60000 copies of one size, nearly all out of sight: the walk has no end, but the text can still be changed.
+void TestMainWindow::deepFractalsOfOneSizeLeaveTheWindowAlive()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QByteArray text = "v 1 0 0\nv 0 1 0\nx. \"cube.obj\"\nk.p. (p, #, #)\nz<x>. [k.1, k.2] x\n<$>. z 60000\n";
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), text)));
+    QVERIFY(QTest::qWaitFor([&] { return sample.window.findChild<QSlider *>()->isEnabled(); }, 20'000));
+    for (int i = 0; i < 50; ++i) {
+        QCoreApplication::processEvents();
+    }
+    QVERIFY(!sample.viewport.isPictureFinished());
+    sample.placeCursorAt(QStringLiteral("60000"));
+    for (int i = 0; i < 5; ++i) {
+        QTest::keyClick(&sample.editor, Qt::Key_Delete);
+    }
+    QTest::keyClicks(&sample.editor, QStringLiteral("2"));
+    sample.viewport.resetView();
+    QVERIFY(QTest::qWaitFor([&] { return sample.drawn == 4 && sample.viewport.isPictureFinished(); }, 60'000));
 }
 
 void TestMainWindow::aSavedExampleBringsItsMesh()
