@@ -17,28 +17,6 @@ namespace {
 
 constexpr std::size_t maximumParameters = 3;
 
-std::string quoted(std::string_view text)
-{
-    return '"' + std::string(text) + '"';
-}
-
-std::string described(const Token &token)
-{
-    switch (token.kind) {
-    case TokenKind::EndOfLine:
-        return "the end of the line";
-    case TokenKind::Hash:
-        return "a comment";
-    case TokenKind::Unknown:
-        if (static_cast<unsigned char>(token.text[0]) < 0x20) {
-            return "a control character";
-        }
-        return quoted(token.text);
-    default:
-        return quoted(token.text);
-    }
-}
-
 /// Parses one line. Each parse function reports at most one error and returns false after it.
 class LineParser
 {

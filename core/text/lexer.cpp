@@ -122,6 +122,23 @@ Extent scan(std::string_view text, LexMode mode)
 
 }
 
+std::string described(const Token &token)
+{
+    switch (token.kind) {
+    case TokenKind::EndOfLine:
+        return "the end of the line";
+    case TokenKind::Hash:
+        return "a comment";
+    case TokenKind::Unknown:
+        if (static_cast<unsigned char>(token.text[0]) < 0x20) {
+            return "a control character";
+        }
+        [[fallthrough]];
+    default:
+        return '"' + std::string(token.text) + '"';
+    }
+}
+
 LineLexer::LineLexer(std::string_view line, std::size_t offset)
     : m_line(line)
     , m_offset(offset)

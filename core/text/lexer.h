@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "sourcerange.h"
@@ -35,6 +36,10 @@ struct Token {
 
     [[nodiscard]] bool is(TokenKind other) const { return kind == other; }
 };
+
+/// What a message calls a token that was found: its text in quotes, or "the end of the line". A Hash is called a comment,
+/// which it is wherever it is not taken.
+[[nodiscard]] std::string described(const Token &token);
 
 /// After NAME and a dot, digits are an index and never a decimal: `t.1.2` is t with 1 and 2.
 enum class LexMode { Value, Index };
