@@ -11,7 +11,7 @@
 
 #include "commandline.h"
 #include "core/base/file.h"
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
 #include "output.h"
@@ -116,7 +116,7 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     const LineMap lines(*text);
     for (const Diagnostic &diagnostic : result.diagnostics) {
         if (diagnostic.severity() != Severity::Hint) {
-            std::println(stderr, "{}", toLine(diagnostic, shown, lines));
+            std::println(stderr, "{}", toLines(diagnostic, shown, lines));
         }
     }
     if (!result.scene) {

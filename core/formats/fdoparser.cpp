@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include "fdoparser.h"
+#include "fdosyntax.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <string>
 
-#include "core/text/lexer.h"
-#include "core/text/linemap.h"
+#include "lineparser.h"
 #include "numbers.h"
 
 namespace romanesco {
 
 namespace {
 
-constexpr std::size_t maximumParameters = 3;
-
 /// Parses one line. Each parse function reports at most one error and returns false after it.
-class LineParser
+class FdoLineParser : private LineParser
 {
 public:
-    LineParser(std::string_view line, std::size_t offset, FdoSyntax &syntax)
-        : m_lexer(line, offset)
-        , m_syntax(syntax)
+    FdoLineParser(std::string_view line, std::size_t skipped, NameTable &names, FdoLine &result)
+        : LineParser(line, skipped, result.diagnostics)
+        , m_names(names)
+        , m_result(result)
     {
     }
 
     // line := [ vector | transformation | object | recursive ] [comment]
     void parse()
     {
-        const Token first = m_lexer.peek();
+        const Token first = peek();
         switch (first.kind) {
         case TokenKind::EndOfLine:
         case TokenKind::Hash:
@@ -42,8 +39,8 @@ public:
             parseMisnamed();
             return;
         case TokenKind::Name:
-            m_lexer.take();
-            parseNamed({first.text, first.range});
+            take();
+            parseNamed(first);
             return;
         default:
             error(DiagnosticCode::ExpectedDeclaration, first.range, {described(first)});
@@ -51,56 +48,29 @@ public:
     }
 
 private:
-    bool error(DiagnosticCode code, SourceRange range, std::vector<std::string> arguments = {})
-    {
-        m_syntax.diagnostics.push_back({code, range, std::move(arguments)});
-        return false;
-    }
-
-    bool expected(std::string what, const Token &found)
-    {
-        return error(DiagnosticCode::Expected, found.range, {described(found), std::move(what)});
-    }
-
-    bool take(TokenKind kind, const char *what)
-    {
-        const Token token = m_lexer.peek();
-        if (!token.is(kind)) {
-            return expected(what, token);
-        }
-        m_lexer.take();
-        return true;
-    }
+    [[nodiscard]] Word word(const Token &token) const { return {m_names.idOf(token.text), inLine(token.range)}; }
 
     template<typename Node>
     void add(Node node, bool isGood)
     {
-        m_syntax.declarations.push_back({std::move(node), !isGood});
+        m_result.declaration = std::move(node);
+        m_result.isBad = !isGood;
     }
 
-    /// Nothing but a comment may follow a whole declaration.
-    bool parseEnd()
+    void parseNamed(const Token &first)
     {
-        const Token token = m_lexer.peek();
-        if (token.is(TokenKind::EndOfLine) || token.is(TokenKind::Hash)) {
-            return true;
-        }
-        return error(DiagnosticCode::TrailingText, token.range, {described(token)});
-    }
-
-    void parseNamed(const Word &name)
-    {
-        const Token next = m_lexer.peek();
-        if (next.is(TokenKind::Number) && !m_lexer.isBlankBeforeNext()) {
+        const Word name = word(first);
+        const Token next = peek();
+        if (next.is(TokenKind::Number) && !lexer().isBlankBeforeNext()) {
             add(VectorDeclaration{name},
-                error(DiagnosticCode::BlankAfterVectorName, {name.range.end, next.range.end},
-                      {std::string(name.text)}));
-        } else if (next.is(TokenKind::Number) || (name.text == "v" && !next.is(TokenKind::Dot))) {
+                error(DiagnosticCode::BlankAfterVectorName, {first.range.end, next.range.end},
+                      {std::string(first.text)}, insertion("Insert a blank", first.range.end, " ")));
+        } else if (next.is(TokenKind::Number) || (first.text == "v" && !next.is(TokenKind::Dot))) {
             VectorDeclaration vector{name};
-            const bool isGood = parseVector(vector);
-            add(std::move(vector), isGood);
+            const bool isGood = parseVector(vector, first.range);
+            add(vector, isGood);
         } else if (next.is(TokenKind::Dot)) {
-            m_lexer.take();
+            take();
             parseTransformationOrObject(name);
         } else if (next.is(TokenKind::Less)) {
             ObjectDeclaration object{name};
@@ -116,7 +86,7 @@ private:
     /// Whether two of the words left are numbers, as in `half nan 0 0`: meant as a vector, which keeps its number.
     bool looksLikeNumbers() const
     {
-        LineLexer ahead = m_lexer;
+        LineLexer ahead = lexer();
         int numbers = 0;
         for (Token token = ahead.take(); !token.is(TokenKind::EndOfLine) && !token.is(TokenKind::Hash);
              token = ahead.take()) {
@@ -134,40 +104,41 @@ private:
     /// A line that starts with a number. If more follow, it was meant as a vector and keeps its number.
     void parseMisnamed()
     {
-        const Token word = m_lexer.take();
-        if (word.text[0] >= '0' && word.text[0] <= '9') {
-            const std::string_view name = word.text.substr(0, word.text.find('.'));
-            error(DiagnosticCode::NameStartsWithDigit, {word.range.begin, word.range.begin + name.size()},
-                  {std::string(name)});
+        const Token first = take();
+        if (first.text[0] >= '0' && first.text[0] <= '9') {
+            const std::string_view name = first.text.substr(0, first.text.find('.'));
+            const SourceRange range{first.range.begin, first.range.begin + name.size()};
+            error(DiagnosticCode::NameStartsWithDigit, range, {std::string(name)},
+                  insertion("Put _ before it", first.range.begin, "_"));
         } else {
-            error(DiagnosticCode::ExpectedDeclaration, word.range, {described(word)});
+            error(DiagnosticCode::ExpectedDeclaration, first.range, {described(first)});
         }
-        if (m_lexer.peek().is(TokenKind::Number)) {
-            add(VectorDeclaration{{{}, word.range}}, false);
+        if (peek().is(TokenKind::Number)) {
+            add(VectorDeclaration{{NameTable::nameless, inLine(first.range)}}, false);
         }
     }
 
     // vector := NAME number number number | NAME number "," number "," number
-    bool parseVector(VectorDeclaration &vector)
+    bool parseVector(VectorDeclaration &vector, SourceRange name)
     {
         bool hasComma[2] = {};
         SourceRange tight;
         SourceRange previous;
         for (int i = 0; i < 3; ++i) {
             if (i > 0) {
-                const Token comma = m_lexer.peek();
+                const Token comma = peek();
                 hasComma[i - 1] = comma.is(TokenKind::Comma);
                 if (hasComma[i - 1]) {
-                    m_lexer.take();
-                    if (comma.range.begin == previous.end && !m_lexer.isBlankBeforeNext()) {
-                        tight = {previous.begin, m_lexer.peek().range.end};
+                    take();
+                    if (comma.range.begin == previous.end && !lexer().isBlankBeforeNext()) {
+                        tight = {previous.begin, peek().range.end};
                     }
                 }
                 if (i == 2 && hasComma[0] != hasComma[1]) {
-                    return parseMixedCommas(tight, joined(vector.name.range, m_lexer.peek().range));
+                    return parseMixedCommas(tight, joined(name, peek().range));
                 }
             }
-            previous = m_lexer.peek().range;
+            previous = peek().range;
             if (!parseNumber(vector.value[i])) {
                 return false;
             }
@@ -181,39 +152,32 @@ private:
         if (tight.length() == 0) {
             return error(DiagnosticCode::MixedCommas, all);
         }
-        std::string number(m_syntax.text.substr(tight.begin, tight.length()));
+        std::string number = text(tight);
         std::ranges::replace(number, ',', '.');
-        return error(DiagnosticCode::DecimalComma, tight, {number});
+        return error(DiagnosticCode::DecimalComma, tight, {number}, decimalPoints(all.begin));
     }
 
-    bool parseNumber(double &value)
+    /// A point for every comma between two digits.
+    Fix decimalPoints(std::size_t begin) const
     {
-        const Token token = m_lexer.peek();
-        if (!token.is(TokenKind::Number)) {
-            return expected("a number", token);
+        const auto isDigit = [&](std::size_t at) {
+            return at < line().size() && line()[at] >= '0' && line()[at] <= '9';
+        };
+        Fix fix{"Write decimal points", {}};
+        const std::size_t end = std::min(line().find('#', begin), line().size());
+        for (std::size_t comma = line().find(',', begin); comma < end; comma = line().find(',', comma + 1)) {
+            if (isDigit(comma - 1) && isDigit(comma + 1)) {
+                fix.edits.push_back({{comma, comma + 1}, "."});
+            }
         }
-        m_lexer.take();
-        const auto [number, status] = numberFromText(token.text);
-        value = number;
-        switch (status) {
-        case NumberStatus::Good:
-            return true;
-        case NumberStatus::Underflow:
-            error(DiagnosticCode::NumberTooSmall, token.range, {std::string(token.text)});
-            return true;
-        case NumberStatus::Overflow:
-            return error(DiagnosticCode::NumberTooLarge, token.range, {std::string(token.text)});
-        case NumberStatus::Malformed:
-            break;
-        }
-        return error(DiagnosticCode::BadNumber, token.range, {std::string(token.text)});
+        return fix;
     }
 
     // transformation := NAME "." (NAME ".")*0..3 "(" out "," out "," out ")"
     // object         := NAME "." value
     void parseTransformationOrObject(const Word &name)
     {
-        LineLexer ahead = m_lexer;
+        LineLexer ahead = lexer();
         const Token first = ahead.take();
         const Token second = ahead.peek();
         const bool isTransformation = first.is(TokenKind::OpenParenthesis)
@@ -231,12 +195,12 @@ private:
 
     bool parseTransformation(TransformationDeclaration &transformation)
     {
-        while (m_lexer.peek().is(TokenKind::Name)) {
-            const Token parameter = m_lexer.take();
-            if (transformation.parameters.size() == maximumParameters) {
+        while (peek().is(TokenKind::Name)) {
+            const Token parameter = take();
+            if (transformation.parameters.size() == mostParameters) {
                 return error(DiagnosticCode::TooManyParameters, parameter.range);
             }
-            transformation.parameters.push_back({parameter.text, parameter.range});
+            transformation.parameters.push_back(word(parameter));
             if (!take(TokenKind::Dot, "a dot")) {
                 return false;
             }
@@ -258,21 +222,21 @@ private:
     // out := parameter NAME | vector INDEX | vector NAME | "#"
     bool parseResultVector(std::optional<VectorReference> &result)
     {
-        const Token token = m_lexer.peek();
+        const Token token = peek();
         switch (token.kind) {
         case TokenKind::Hash:
-            m_lexer.take();
+            take();
             return true;
         case TokenKind::Name:
-            m_lexer.take();
-            result = VectorReference{{token.text, token.range}, std::nullopt};
+            take();
+            result = VectorReference{word(token), std::nullopt};
             return true;
         case TokenKind::Number: {
-            std::uint64_t index = 0;
-            if (!parseIndex(index)) {
+            std::uint64_t number = 0;
+            if (!parseIndex(number)) {
                 return false;
             }
-            result = VectorReference{{token.text, token.range}, index};
+            result = numbered(token, number);
             return true;
         }
         default:
@@ -280,75 +244,68 @@ private:
         }
     }
 
-    /// Digits alone. What does not fit 64 bits becomes the greatest value, which names no vector.
-    bool parseIndex(std::uint64_t &index)
+    static VectorReference numbered(const Token &token, std::uint64_t number)
     {
-        const Token token = m_lexer.take();
-        const std::optional<std::uint64_t> value = wholeFromText(token.text);
-        if (!value) {
-            return error(DiagnosticCode::BadIndex, token.range, {std::string(token.text)});
-        }
-        index = *value;
-        return true;
+        constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+        return {{NameTable::nameless, inLine(token.range)}, static_cast<std::uint32_t>(std::min(number, most))};
     }
 
     // recursive := NAME "<" NAME ">" "." value
     bool parseRecursive(ObjectDeclaration &object)
     {
-        m_lexer.take();
-        const Token base = m_lexer.peek();
-        object.base = Word{base.text, base.range};
+        take();
+        const Token base = peek();
+        object.base = Word{NameTable::nameless, inLine(base.range)};
         if (base.is(TokenKind::Dollar)) {
             return error(DiagnosticCode::ResultAsBase, base.range);
         }
         if (!base.is(TokenKind::Name)) {
             return expected("the name of the base", base);
         }
-        m_lexer.take();
+        object.base = word(take());
         return take(TokenKind::Greater, "\">\"") && take(TokenKind::Dot, "a dot") && parseValue(object.value);
     }
 
     // object := "<$>" "." value
     void parseResult()
     {
-        const Token less = m_lexer.take();
-        ObjectDeclaration object{{{}, less.range}};
+        const Token less = take();
+        ObjectDeclaration object{{NameTable::nameless, inLine(less.range)}};
         const bool isGood = take(TokenKind::Dollar, "\"$\"") && parseResultRest(object, less);
         add(std::move(object), isGood);
     }
 
     bool parseResultRest(ObjectDeclaration &object, const Token &less)
     {
-        const Token greater = m_lexer.peek();
+        const Token greater = peek();
         if (!take(TokenKind::Greater, "\">\"")) {
             return false;
         }
-        object.name.range = joined(less.range, greater.range);
-        if (!m_lexer.peek().is(TokenKind::Dot)) {
-            return error(DiagnosticCode::MissingDotAfterResult, object.name.range);
+        const SourceRange whole = joined(less.range, greater.range);
+        object.name.range = inLine(whole);
+        if (!peek().is(TokenKind::Dot)) {
+            return error(DiagnosticCode::MissingDotAfterResult, whole, {}, insertion("Insert a dot", whole.end, "."));
         }
-        m_lexer.take();
+        take();
         return parseValue(object.value);
     }
 
     // value := STRING(.obj) | "[" use ("," use)* "]" value | NAME | NAME INDEX
     bool parseValue(Value &value)
     {
-        while (m_lexer.peek().is(TokenKind::OpenBracket)) {
+        while (peek().is(TokenKind::OpenBracket)) {
             if (!parseSet(value.sets.emplace_back())) {
                 return false;
             }
         }
-        const Token token = m_lexer.peek();
-        value.inner = {token.text, token.range};
+        const Token token = peek();
+        value.inner.range = inLine(token.range);
         switch (token.kind) {
         case TokenKind::String:
-            m_lexer.take();
-            return parseMesh(value) && parseEnd();
         case TokenKind::UnclosedString:
-            return error(DiagnosticCode::UnclosedString, token.range);
+            return parseMesh(value) && parseEnd();
         case TokenKind::Name:
-            m_lexer.take();
+            value.inner = word(take());
             return parseDepth(value) && parseEnd();
         case TokenKind::Less:
             return error(DiagnosticCode::ResultAsBase, token.range);
@@ -359,20 +316,19 @@ private:
 
     bool parseMesh(Value &value)
     {
+        SourceRange quoted;
         value.isMesh = true;
-        value.inner.text = value.inner.text.substr(1, value.inner.text.size() - 2);
-        std::string ending(
-            value.inner.text.substr(value.inner.text.size() - std::min<std::size_t>(4, value.inner.text.size())));
-        std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-        if (ending != ".obj") {
-            return error(DiagnosticCode::NotAMeshPath, value.inner.range, {std::string(value.inner.text)});
+        if (!parseString(quoted)) {
+            return false;
         }
-        return true;
+        value.inner.range = inLine(quoted);
+        const std::string path(unquoted(text(quoted)));
+        return hasEnding(path, ".obj") || error(DiagnosticCode::NotAMeshPath, quoted, {path});
     }
 
     bool parseDepth(Value &value)
     {
-        const Token token = m_lexer.peek();
+        const Token token = peek();
         if (!token.is(TokenKind::Number)) {
             return true;
         }
@@ -384,99 +340,104 @@ private:
             return error(DiagnosticCode::DepthTooLarge, token.range, {std::string(token.text)});
         }
         value.depth = depth;
-        value.depthRange = token.range;
+        value.depthRange = inLine(token.range);
         return true;
     }
 
     bool parseSet(SetExpression &set)
     {
-        const Token open = m_lexer.take();
-        const Token first = m_lexer.peek();
+        const Token open = take();
+        const Token first = peek();
         if (first.is(TokenKind::CloseBracket)) {
-            return error(DiagnosticCode::EmptySet, joined(open.range, first.range));
+            return error(DiagnosticCode::EmptySet, joined(open.range, first.range), {},
+                         insertion("Put # into it", open.range.end, "#"));
         }
         while (true) {
             if (!parseUse(set.uses.emplace_back())) {
                 return false;
             }
-            const Token next = m_lexer.peek();
+            const Token next = peek();
             if (next.is(TokenKind::CloseBracket)) {
-                m_lexer.take();
-                set.range = joined(open.range, next.range);
+                take();
+                set.range = inLine(joined(open.range, next.range));
                 return true;
             }
             if (!next.is(TokenKind::Comma)) {
-                return expected("\",\" or \"]\"", next);
+                return expected("\",\" or \"]\"", next, fixAfterUse(next));
             }
-            m_lexer.take();
+            take();
         }
+    }
+
+    /// Before another use a comma is missing, before a value or the end a ].
+    std::optional<Fix> fixAfterUse(const Token &next) const
+    {
+        LineLexer ahead = lexer();
+        ahead.take();
+        const Token second = ahead.peek(LexMode::Index);
+        const bool isName = next.is(TokenKind::Name);
+        if (isName
+            && (second.is(TokenKind::Dot) || second.is(TokenKind::Comma) || second.is(TokenKind::CloseBracket))) {
+            return insertion("Insert the missing comma", lastEnd(), ",");
+        }
+        if (isName || next.is(TokenKind::String) || next.is(TokenKind::OpenBracket) || next.is(TokenKind::EndOfLine)) {
+            return insertion("Insert the missing ]", lastEnd(), "]");
+        }
+        return std::nullopt;
     }
 
     // use := "#" | NAME ("." arg)*0..3 ["."]        arg := vector INDEX | vector NAME
     bool parseUse(TransformationUse &use)
     {
-        const Token token = m_lexer.peek();
-        use.range = token.range;
+        const Token token = peek();
+        use.range = inLine(token.range);
         if (token.is(TokenKind::Hash)) {
-            m_lexer.take();
+            take();
             return true;
         }
         if (!token.is(TokenKind::Name)) {
             return error(DiagnosticCode::SetEntryExpected, token.range, {described(token)});
         }
-        m_lexer.take();
-        use.name = {token.text, token.range};
-        while (m_lexer.peek(LexMode::Index).is(TokenKind::Dot)) {
-            m_lexer.take(LexMode::Index);
-            const Token argument = m_lexer.peek(LexMode::Index);
+        use.name = word(take());
+        while (peek(LexMode::Index).is(TokenKind::Dot)) {
+            take(LexMode::Index);
+            const Token argument = peek(LexMode::Index);
             if (argument.is(TokenKind::Number)) {
                 return error(DiagnosticCode::BadIndex, argument.range, {std::string(argument.text)});
             }
             if (!argument.is(TokenKind::Index) && !argument.is(TokenKind::Name)) {
                 break; // the trailing dot
             }
-            if (use.arguments.size() == maximumParameters) {
+            if (use.arguments.size() == mostParameters) {
                 return error(DiagnosticCode::TooManyArguments, argument.range);
             }
-            m_lexer.take(LexMode::Index);
-            use.arguments.push_back({{argument.text, argument.range},
-                                     argument.is(TokenKind::Index) ? wholeFromText(argument.text) : std::nullopt});
-            use.range.end = argument.range.end;
+            take(LexMode::Index);
+            use.arguments.push_back(argument.is(TokenKind::Index)
+                                        ? numbered(argument, wholeFromText(argument.text).value_or(0))
+                                        : VectorReference{word(argument), std::nullopt});
+            use.range.end = inLine(argument.range).end;
         }
         return true;
     }
 
-    LineLexer m_lexer;
-    FdoSyntax &m_syntax;
+    NameTable &m_names;
+    FdoLine &m_result;
 };
 
-/// What the first bytes say about an encoding that is not UTF-8; nullptr where they say nothing.
-const char *foreignEncoding(std::string_view text)
-{
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-        return "it looks like UTF-16";
-    }
-    return text.substr(0, 4096).contains('\0') ? "it holds NUL bytes" : nullptr;
 }
 
+FdoLine parseFdoLine(std::string_view line, std::size_t skipped, NameTable &names)
+{
+    FdoLine result;
+    FdoLineParser(line, skipped, names, result).parse();
+    return result;
 }
 
-FdoSyntax parseFdo(std::string_view text)
+void FdoSyntax::setText(std::string text)
 {
-    FdoSyntax syntax{text, {}, {}};
-    if (const char *encoding = foreignEncoding(text)) {
-        syntax.diagnostics.push_back({DiagnosticCode::NotUtf8, {0, 0}, {encoding}});
-        return syntax;
-    }
-    const LineMap lines(text);
-    for (std::size_t i = 0; i < lines.lineCount(); ++i) {
-        SourceRange line = lines.line(i);
-        if (i == 0 && text.starts_with("\xEF\xBB\xBF")) {
-            line.begin += 3;
-        }
-        LineParser(text.substr(line.begin, line.length()), line.begin, syntax).parse();
-    }
-    return syntax;
+    ParsedLines::setText(std::move(text), [this](std::string_view line, std::size_t skipped) {
+        return parseFdoLine(line, skipped, m_names);
+    });
 }
 
 }

@@ -1,67 +1,15 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include "fdoresolver.h"
-
+#include <algorithm>
 #include <format>
 #include <limits>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
-#include "core/text/linemap.h"
-#include "fdoparser.h"
-#include "objectforest.h"
+#include "fdomodel.h"
 
 namespace romanesco {
 
 namespace {
-
-enum class SymbolKind { Vector, Transformation, Object, Recursive, Unknown };
-
-const char *described(SymbolKind kind)
-{
-    switch (kind) {
-    case SymbolKind::Vector:
-        return "a vector";
-    case SymbolKind::Transformation:
-        return "a transformation";
-    case SymbolKind::Object:
-        return "an object";
-    case SymbolKind::Recursive:
-        return "a recursive";
-    case SymbolKind::Unknown:
-        break;
-    }
-    return "unknown";
-}
-
-/// What a name stands for: index counts vectors, transformations, or nodes of the forest, by kind.
-struct Symbol {
-    SymbolKind kind;
-    std::uint32_t index;
-    SourceRange range;
-    bool isBad = false;
-    bool isUsed = false;
-    bool isRepeated = false;
-};
-
-struct VectorEntry {
-    glm::dvec3 value;
-    bool isBad;
-};
-
-/// A result of a transformation: the identity, a vector of the file, or a parameter.
-struct ResultSource {
-    enum class Kind { Identity, Vector, Parameter } kind = Kind::Identity;
-    std::size_t index = 0;
-};
-
-struct TransformationEntry {
-    std::size_t parameterCount = 0;
-    std::array<ResultSource, 3> results;
-};
-
-constexpr std::array<glm::dvec3, 3> identityParts{glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(1.0)};
 
 std::string plural(std::size_t count, const char *noun)
 {
@@ -73,306 +21,317 @@ class Resolver
 public:
     explicit Resolver(const FdoSyntax &syntax)
         : m_syntax(syntax)
-        , m_lines(syntax.text)
     {
+        m_model.diagnostics = syntax.diagnostics();
+        m_hasText = m_model.diagnostics.empty() || m_model.diagnostics.front().code != DiagnosticCode::NotUtf8;
+        m_model.symbols.resize(syntax.names().size());
     }
 
-    FdoResult resolve()
+    FdoModel resolve()
     {
-        m_result.diagnostics = m_syntax.diagnostics;
-        for (const Declaration &declaration : m_syntax.declarations) {
-            std::visit([&](const auto &node) { declare(node, declaration.isBad); }, declaration.node);
+        for (std::size_t i = 0; i < m_syntax.lineCount(); ++i) {
+            m_line = static_cast<std::uint32_t>(i);
+            const FdoLine &line = m_syntax.line(i);
+            std::visit([&](const auto &node) { declare(node, line.isBad); }, line.declaration);
         }
         hintAtUnused();
-        describeResult();
-        sortByPlace(m_result.diagnostics);
-        return std::move(m_result);
+        lookForResult();
+        sortByPlace(m_model.diagnostics);
+        return std::move(m_model);
     }
 
 private:
-    bool report(DiagnosticCode code, SourceRange range, std::vector<std::string> arguments = {})
+    Diagnostic &reportInText(DiagnosticCode code, SourceRange range, std::vector<std::string> arguments = {})
     {
-        m_result.diagnostics.push_back({code, range, std::move(arguments)});
-        return false;
+        return m_model.diagnostics.emplace_back(code, range, std::move(arguments));
+    }
+
+    /// In the line that is looked at.
+    Diagnostic &report(DiagnosticCode code, LineRange range, std::vector<std::string> arguments = {})
+    {
+        return reportInText(code, inText(range), std::move(arguments));
+    }
+
+    [[nodiscard]] SourceRange inText(LineRange range) const { return m_syntax.range(m_line, range); }
+
+    /// The name in the line that declares it, as another place of a diagnostic.
+    [[nodiscard]] Note declaredHere(std::uint32_t line) const
+    {
+        const Word &name = nameIn(line);
+        const SourceRange range = m_syntax.range(line, name.range);
+        const std::string words(m_syntax.words(line, name.range));
+        return {DiagnosticCode::DeclaredHere, range, {words}, {}, m_syntax.map().position(range.begin)};
+    }
+
+    [[nodiscard]] const Word &nameIn(std::uint32_t line) const
+    {
+        static const Word nothing;
+        return std::visit(
+            [](const auto &node) -> const Word & {
+                if constexpr (requires { node.name; }) {
+                    return node.name;
+                } else {
+                    return nothing;
+                }
+            },
+            m_syntax.line(line).declaration);
     }
 
     // ---- Declarations
 
+    void declare(std::monostate, bool) { }
+
     void declare(const VectorDeclaration &vector, bool isBad)
     {
-        const auto index = static_cast<std::uint32_t>(m_vectors.size());
-        m_vectors.push_back({vector.value, isBad});
-        if (vector.name.text == "v" || vector.name.text.empty()) {
+        const auto index = static_cast<std::uint32_t>(m_model.vectors.size());
+        m_model.vectors.push_back({vector.value, m_line, isBad});
+        if (vector.name.name == m_syntax.plainVector() || vector.name.name == NameTable::nameless) {
             return;
         }
-        const auto known = m_symbols.find(vector.name.text);
-        if (known != m_symbols.end() && known->second.kind == SymbolKind::Vector) {
-            known->second.isRepeated = true; // fine until somebody refers to it
-        } else {
+        Symbol &known = m_model.symbols[vector.name.name];
+        if (known.kind != SymbolKind::Vector) {
             declareName(vector.name, SymbolKind::Vector, index, isBad);
+        } else if (known.repeatLine == Symbol::never) {
+            known.repeatLine = m_line;
         }
     }
 
     void declare(const TransformationDeclaration &node, bool isBad)
     {
         TransformationEntry entry;
+        entry.line = m_line;
         const bool isGood = !isBad && checkName(node.name) && resolveTransformation(node, entry);
-        m_transformations.push_back(entry);
-        declareName(node.name, SymbolKind::Transformation, static_cast<std::uint32_t>(m_transformations.size()) - 1,
-                    !isGood);
+        m_model.transformations.push_back(entry);
+        declareName(node.name, SymbolKind::Transformation,
+                    static_cast<std::uint32_t>(m_model.transformations.size()) - 1, !isGood);
     }
 
     void declare(const ObjectDeclaration &node, bool isBad)
     {
         ObjectNode object;
-        object.name = node.isResult() ? std::string_view("<$>") : node.name.text;
-        object.nameRange = node.name.range;
+        object.name = node.name.name;
+        object.line = m_line;
         object.isRecursive = node.base.has_value();
+        object.firstSet = static_cast<SetId>(m_model.sets.size());
         const ObjectNode nameOnly = object;
         const bool isGood = !isBad && checkName(node.name) && resolveValue(node.value, object)
             && (!node.base || resolveBase(node, object));
         if (!isGood) {
             object = nameOnly;
+            object.endSet = object.firstSet;
             object.isBad = true;
         }
-        const std::uint32_t index = m_forest.add(std::move(object));
+        const std::uint32_t index = m_model.forest.add(object);
         if (!node.isResult()) {
             declareName(node.name, node.base ? SymbolKind::Recursive : SymbolKind::Object, index, !isGood);
-            return;
+        } else if (m_model.result == ObjectNode::none) {
+            m_model.result = index;
+        } else if (isGood) { // else it has its message already
+            const std::uint32_t first = m_model.forest[m_model.result].line;
+            report(DiagnosticCode::SecondResult, node.name.range, {lineNumber(first)})
+                .notes.push_back(declaredHere(first));
         }
-        if (m_resultNode != ObjectNode::none) {
-            if (isGood) { // else it has its message already
-                report(DiagnosticCode::SecondResult, node.name.range, {lineOf(m_forest[m_resultNode].nameRange)});
-            }
-            return;
-        }
-        m_resultNode = index;
     }
 
     void declare(const UnknownDeclaration &node, bool) { declareName(node.name, SymbolKind::Unknown, 0, true); }
 
     bool checkName(const Word &name)
     {
-        return name.text != "v" || report(DiagnosticCode::ReservedName, name.range, {"this one"});
+        if (name.name == m_syntax.plainVector()) {
+            report(DiagnosticCode::ReservedName, name.range, {"this one"});
+            return false;
+        }
+        return true;
     }
 
     /// The first declaration of a name stays; a bad one is silent about itself.
     void declareName(const Word &name, SymbolKind kind, std::uint32_t index, bool isBad)
     {
-        const auto [known, isNew] = m_symbols.try_emplace(name.text, Symbol{kind, index, name.range, isBad});
-        if (isNew) {
-            m_names.push_back(name.text);
+        Symbol &symbol = m_model.symbols[name.name];
+        if (symbol.kind == SymbolKind::Undeclared) {
+            symbol = {.kind = kind, .isBad = isBad, .line = m_line, .index = index};
         } else if (!isBad) {
-            report(DiagnosticCode::Redeclared, name.range, {std::string(name.text), lineOf(known->second.range)});
+            report(DiagnosticCode::Redeclared, name.range, {m_syntax.name(name), lineNumber(symbol.line)})
+                .notes.push_back(declaredHere(symbol.line));
         }
     }
 
-    std::string lineOf(SourceRange range) const { return std::to_string(m_lines.position(range.begin).line); }
+    static std::string lineNumber(std::uint32_t line) { return std::to_string(std::uint64_t{line} + 1); }
 
     // ---- Transformations
 
     bool resolveTransformation(const TransformationDeclaration &node, TransformationEntry &entry)
     {
-        entry.parameterCount = node.parameters.size();
+        entry.parameterCount = static_cast<std::uint32_t>(node.parameters.size());
         for (std::size_t i = 0; i < node.parameters.size(); ++i) {
             const Word &parameter = node.parameters[i];
-            if (parameterIndex(node, parameter.text) < i) {
-                return report(DiagnosticCode::RepeatedParameter, parameter.range, {std::string(parameter.text)});
-            }
-            const auto known = m_symbols.find(parameter.text);
-            if (known != m_symbols.end() && known->second.kind == SymbolKind::Vector) {
-                report(DiagnosticCode::ParameterHidesVector, parameter.range, {std::string(parameter.text)});
-            }
-        }
-        for (std::size_t i = 0; i < entry.results.size(); ++i) {
-            if (!node.results[i]) {
-                continue;
-            }
-            const VectorReference &reference = *node.results[i];
-            const std::size_t parameter =
-                reference.index ? node.parameters.size() : parameterIndex(node, reference.word.text);
-            if (parameter < node.parameters.size()) {
-                entry.results[i] = {ResultSource::Kind::Parameter, parameter};
-                continue;
-            }
-            const std::optional<std::size_t> vector = findVector(reference);
-            if (!vector) {
+            if (parameterIndex(node, parameter.name) < i) {
+                report(DiagnosticCode::RepeatedParameter, parameter.range, {m_syntax.name(parameter)});
                 return false;
             }
-            entry.results[i] = {ResultSource::Kind::Vector, *vector};
+            const Symbol &known = m_model.symbols[parameter.name];
+            if (known.kind == SymbolKind::Vector) {
+                report(DiagnosticCode::ParameterHidesVector, parameter.range, {m_syntax.name(parameter)})
+                    .notes.push_back(declaredHere(known.line));
+            }
+        }
+        for (std::size_t i = 0; i < entry.parts.size(); ++i) {
+            if (node.results[i] && !resolvePart(node, *node.results[i], entry.parts[i])) {
+                return false;
+            }
         }
         return true;
     }
 
-    static std::size_t parameterIndex(const TransformationDeclaration &node, std::string_view name)
+    bool resolvePart(const TransformationDeclaration &node, const VectorReference &reference, PartSource &part)
+    {
+        const std::size_t parameter =
+            reference.number ? node.parameters.size() : parameterIndex(node, reference.word.name);
+        if (parameter < node.parameters.size()) {
+            part = {PartSource::Kind::Parameter, static_cast<std::uint32_t>(parameter)};
+            return true;
+        }
+        part.kind = PartSource::Kind::Vector;
+        return findVector(reference, part.index);
+    }
+
+    static std::size_t parameterIndex(const TransformationDeclaration &node, NameId name)
     {
         std::size_t index = 0;
-        while (index < node.parameters.size() && node.parameters[index].text != name) {
+        while (index < node.parameters.size() && node.parameters[index].name != name) {
             ++index;
         }
         return index;
     }
 
-    /// The index in m_vectors of what a reference names; reports where there is none, and is silent about a bad one.
-    std::optional<std::size_t> findVector(const VectorReference &reference)
+    /// The index of the vector that a reference names; reports where there is none, and is silent about a bad one.
+    bool findVector(const VectorReference &reference, std::uint32_t &index)
     {
-        const std::string text(reference.word.text);
-        if (reference.index) {
-            const std::uint64_t number = *reference.index;
-            if (number == 0 || number > m_vectors.size()) {
-                const std::size_t count = m_vectors.size();
-                report(DiagnosticCode::UnknownVectorIndex, reference.word.range,
-                       {text,
-                        number == 0      ? "vectors are counted from 1"
-                            : count == 0 ? "none is declared above"
-                            : count == 1 ? "only 1 is declared above"
-                                         : std::format("only {} are declared above", count)});
-                return std::nullopt;
+        if (reference.number) {
+            const std::uint32_t number = *reference.number;
+            if (number == 0 || number > m_model.vectors.size()) {
+                reportNumber(reference);
+                return false;
             }
-            return goodVector(number - 1);
+            index = number - 1;
+            return !m_model.vectors[index].isBad;
         }
-        const auto known = m_symbols.find(reference.word.text);
-        if (known == m_symbols.end()) {
-            report(DiagnosticCode::UnknownVectorName, reference.word.range, {text});
-            return std::nullopt;
-        }
-        Symbol &symbol = known->second;
+        Symbol &symbol = m_model.symbols[reference.word.name];
         symbol.isUsed = true;
         if (symbol.kind == SymbolKind::Unknown) {
-            return std::nullopt;
+            return false;
         }
         if (symbol.kind != SymbolKind::Vector) {
-            report(DiagnosticCode::UnknownVectorName, reference.word.range, {text});
-            return std::nullopt;
+            Diagnostic &unknown =
+                report(DiagnosticCode::UnknownVectorName, reference.word.range, {m_syntax.name(reference.word)});
+            if (symbol.kind != SymbolKind::Undeclared) {
+                unknown.notes.push_back(declaredHere(symbol.line));
+            }
+            return false;
         }
-        if (symbol.isRepeated) {
-            report(DiagnosticCode::RepeatedVectorName, reference.word.range, {text});
-            return std::nullopt;
+        if (symbol.repeatLine != Symbol::never) {
+            Diagnostic &repeated =
+                report(DiagnosticCode::RepeatedVectorName, reference.word.range, {m_syntax.name(reference.word)});
+            repeated.notes.push_back(declaredHere(symbol.line));
+            repeated.notes.push_back(declaredHere(symbol.repeatLine));
+            return false;
         }
-        return goodVector(symbol.index);
+        index = symbol.index;
+        return !m_model.vectors[index].isBad;
     }
 
-    std::optional<std::size_t> goodVector(std::size_t index) const
+    void reportNumber(const VectorReference &reference)
     {
-        return m_vectors[index].isBad ? std::nullopt : std::optional(index);
+        const std::size_t count = m_model.vectors.size();
+        const std::string text(m_syntax.words(m_line, reference.word.range));
+        report(DiagnosticCode::UnknownVectorIndex, reference.word.range,
+               {text,
+                *reference.number == 0 ? "vectors are counted from 1"
+                    : count == 0       ? "none is declared above"
+                    : count == 1       ? "only 1 is declared above"
+                                       : std::format("only {} are declared above", count)});
     }
 
-    // ---- Sets
+    // ---- Values
 
-    /// A symbol of a good declaration of one of two kinds; reports what it is instead, and is silent about a bad one.
-    Symbol *find(const Word &name, SymbolKind kind, SymbolKind otherKind, DiagnosticCode mismatch)
+    /// The symbol of a good declaration of one of two kinds; reports what it is instead, and is silent about a bad one.
+    const Symbol *find(const Word &name, SymbolKind kind, SymbolKind otherKind, DiagnosticCode mismatch)
     {
-        const auto known = m_symbols.find(name.text);
-        if (known == m_symbols.end()) {
-            report(DiagnosticCode::UnknownName, name.range, {std::string(name.text)});
+        Symbol &symbol = m_model.symbols[name.name];
+        symbol.isUsed = true;
+        if (symbol.kind == SymbolKind::Undeclared) {
+            report(DiagnosticCode::UnknownName, name.range, {m_syntax.name(name)});
             return nullptr;
         }
-        Symbol &symbol = known->second;
-        symbol.isUsed = true;
         if (symbol.kind != kind && symbol.kind != otherKind && symbol.kind != SymbolKind::Unknown) {
-            report(mismatch, name.range, {std::string(name.text), described(symbol.kind)});
+            report(mismatch, name.range, {m_syntax.name(name), described(symbol.kind)})
+                .notes.push_back(declaredHere(symbol.line));
             return nullptr;
         }
         return symbol.isBad ? nullptr : &symbol;
     }
 
-    bool resolveSet(const SetExpression &expression, SetId &id)
-    {
-        TransformSet set;
-        set.range = expression.range;
-        std::unordered_set<AffineMap, AffineMapHash> seen;
-        bool isGood = true;
-        bool hasRepeats = false;
-        for (const TransformationUse &use : expression.uses) {
-            const std::optional<AffineMap> map = resolveUse(use);
-            if (!map) {
-                isGood = false;
-                break; // one message a line
-            }
-            const bool isNew = seen.insert(*map).second;
-            if (!isNew && !std::exchange(hasRepeats, true)) {
-                const std::string text(m_syntax.text.substr(use.range.begin, use.range.length()));
-                report(DiagnosticCode::EqualMaps, use.range, {text});
-            }
-            if (isNew && *map == AffineMap{}) {
-                set.holdsIdentity = true;
-            } else if (isNew) {
-                set.maps.push_back(*map);
-                set.uses.push_back(use.range);
-            }
-        }
-        id = static_cast<SetId>(m_sets.size());
-        m_sets.push_back(std::move(set));
-        return isGood;
-    }
-
-    std::optional<AffineMap> resolveUse(const TransformationUse &use)
+    /// One message a line: the first wrong use ends it.
+    bool checkUse(const TransformationUse &use)
     {
         if (use.isIdentity()) {
-            return AffineMap{};
+            return true;
         }
         const Symbol *symbol =
             find(use.name, SymbolKind::Transformation, SymbolKind::Transformation, DiagnosticCode::NotATransformation);
         if (!symbol) {
-            return std::nullopt;
+            return false;
         }
-        const TransformationEntry &entry = m_transformations[symbol->index];
+        const TransformationEntry &entry = m_model.transformations[symbol->index];
         if (use.arguments.size() != entry.parameterCount) {
             report(DiagnosticCode::WrongArgumentCount, use.range,
-                   {std::string(use.name.text), plural(entry.parameterCount, "argument"),
-                    std::to_string(use.arguments.size())});
-            return std::nullopt;
+                   {m_syntax.name(use.name), plural(entry.parameterCount, "argument"),
+                    std::to_string(use.arguments.size())})
+                .notes.push_back(declaredHere(entry.line));
+            return false;
         }
-        std::array<std::size_t, 3> arguments{};
-        for (std::size_t i = 0; i < use.arguments.size(); ++i) {
-            const std::optional<std::size_t> vector = findVector(use.arguments[i]);
-            if (!vector) {
-                return std::nullopt;
-            }
-            arguments[i] = *vector;
-        }
-        std::array<glm::dvec3, 3> parts = identityParts;
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const ResultSource &source = entry.results[i];
-            if (source.kind != ResultSource::Kind::Identity) {
-                const bool isVector = source.kind == ResultSource::Kind::Vector;
-                parts[i] = m_vectors[isVector ? source.index : arguments[source.index]].value;
-            }
-        }
-        return mapFromParts(parts[0], parts[1], parts[2]);
+        std::uint32_t vector = 0;
+        return std::ranges::all_of(use.arguments,
+                                   [&](const VectorReference &argument) { return findVector(argument, vector); });
     }
-
-    // ---- Objects
 
     bool resolveValue(const Value &value, ObjectNode &object)
     {
-        for (const SetExpression &expression : value.sets) {
-            if (!resolveSet(expression, object.sets.emplace_back())) {
+        for (std::uint32_t i = 0; i < value.sets.size(); ++i) {
+            m_model.sets.push_back({m_line, i});
+            if (!std::ranges::all_of(value.sets[i].uses, [&](const auto &use) { return checkUse(use); })) {
                 return false;
             }
         }
-        if (value.isMesh) {
-            object.meshPath = value.inner.text;
-            object.meshRange = value.inner.range;
-            return true;
-        }
+        object.endSet = static_cast<SetId>(m_model.sets.size());
+        object.isMesh = value.isMesh;
+        return value.isMesh || resolveInner(value, object);
+    }
+
+    bool resolveInner(const Value &value, ObjectNode &object)
+    {
         const Symbol *symbol =
             find(value.inner, SymbolKind::Object, SymbolKind::Recursive, DiagnosticCode::NotAnObject);
         if (!symbol) {
             return false;
         }
-        const std::string name(value.inner.text);
+        const SourceRange place = inText(value.inner.range);
         if (symbol->kind == SymbolKind::Object) {
             object.next = symbol->index;
-            return !value.depth || report(DiagnosticCode::NotARecursive, value.inner.range, {name, "an object"});
+            if (value.depth) {
+                report(DiagnosticCode::NotARecursive, value.inner.range, {m_syntax.name(value.inner), "an object"})
+                    .fix = replacement("Remove the depth", {place.end, inText(value.depthRange).end}, "");
+            }
+            return !value.depth;
         }
         if (!value.depth) {
-            return report(DiagnosticCode::RecursiveNeedsDepth, value.inner.range, {name});
+            report(DiagnosticCode::RecursiveNeedsDepth, value.inner.range, {m_syntax.name(value.inner)}).fix =
+                insertion("Give it a depth of 6", place.end, " 6");
+            return false;
         }
         object.repeated = symbol->index;
         object.count = *value.depth;
-        object.countRange = value.depthRange;
-        object.next = m_forest[symbol->index].base;
+        object.next = m_model.forest[symbol->index].base;
         return true;
     }
 
@@ -383,99 +342,94 @@ private:
         if (!symbol) {
             return false;
         }
+        const ObjectForest &forest = m_model.forest;
         object.base = symbol->index;
-        const bool isReached = object.next != ObjectNode::none && m_forest.standsOn(object.next, object.base);
-        if (!isReached) {
-            const std::string chain = object.next == ObjectNode::none ? '"' + std::string(object.meshPath) + '"'
-                                                                      : m_forest.chain(object.next);
-            const std::string name(node.name.text);
-            return report(DiagnosticCode::BaseNotReached, node.base->range,
-                          {name, std::string(node.base->text), name + " → " + chain});
+        if (object.next == ObjectNode::none || !forest.standsOn(object.next, object.base)) {
+            const std::string name = m_syntax.name(node.name);
+            std::string chain = name;
+            std::uint32_t last = object.line;
+            if (object.next != ObjectNode::none) {
+                chain += " → " + forest.chain(object.next, m_syntax.names());
+                last = forest[forest.meshNode(object.next)].line;
+            }
+            const auto &mesh = std::get<ObjectDeclaration>(m_syntax.line(last).declaration).value.inner;
+            chain += std::format(" → {}", m_syntax.words(last, mesh.range));
+            report(DiagnosticCode::BaseNotReached, node.base->range, {name, m_syntax.name(*node.base), chain})
+                .notes.push_back(declaredHere(symbol->line));
+            return false;
         }
-        const bool addsLevels = !object.sets.empty()
-            || (object.repeated != ObjectNode::none && object.count > 0
-                && m_forest[object.repeated].iterationLevels > 0)
-            || m_forest[object.next].levels > m_forest[object.base].levels;
+        const bool addsLevels = object.firstSet < object.endSet
+            || (object.repeated != ObjectNode::none && object.count > 0 && forest[object.repeated].iterationLevels > 0)
+            || forest[object.next].levels > forest[object.base].levels;
         if (!addsLevels) {
-            report(DiagnosticCode::EmptyIteration, node.name.range, {std::string(node.name.text)});
+            report(DiagnosticCode::EmptyIteration, node.name.range, {m_syntax.name(node.name)});
         }
         return true;
     }
 
-    // ---- The result
+    // ---- The whole
 
     /// In a text with errors nobody knows what the bad lines use.
     void hintAtUnused()
     {
-        if (hasErrors(m_result.diagnostics)) {
+        if (hasErrors(m_model.diagnostics)) {
             return;
         }
-        for (const std::string_view name : m_names) {
-            const Symbol &symbol = m_symbols.at(name);
+        for (const Symbol &symbol : m_model.symbols) {
             const bool isNumbered = symbol.kind == SymbolKind::Vector;
-            if (!symbol.isUsed && !symbol.isBad && !isNumbered) {
-                report(DiagnosticCode::Unused, symbol.range, {std::string(name)});
+            if (symbol.kind != SymbolKind::Undeclared && !symbol.isUsed && !symbol.isBad && !isNumbered) {
+                const Word &name = nameIn(symbol.line);
+                reportInText(DiagnosticCode::Unused, m_syntax.range(symbol.line, name.range), {m_syntax.name(name)});
             }
         }
     }
 
-    void describeResult()
+    void lookForResult()
     {
-        if (m_resultNode == ObjectNode::none) {
-            const bool isText =
-                m_syntax.diagnostics.empty() || m_syntax.diagnostics.front().code != DiagnosticCode::NotUtf8;
-            if (isText) {
-                report(DiagnosticCode::NoResult, {m_syntax.text.size(), m_syntax.text.size()});
+        const std::size_t end = m_syntax.text().size();
+        if (m_model.result == ObjectNode::none) {
+            if (m_hasText) {
+                reportInText(DiagnosticCode::NoResult, {end, end}).fix = resultOfLast();
             }
             return;
         }
-        if (m_forest[m_resultNode].isBad) {
-            return;
+        const ObjectNode &result = m_model.forest[m_model.result];
+        if (!result.isBad && result.levels == std::numeric_limits<Position>::max()) {
+            const std::uint32_t line = m_model.depthLine().value_or(result.line);
+            const Value &value = std::get<ObjectDeclaration>(m_syntax.line(line).declaration).value;
+            reportInText(DiagnosticCode::TooManyLevels, m_syntax.range(line, value.depthRange));
+            m_model.result = ObjectNode::none;
         }
-        const std::optional<FractalDescription::Depth> depth = sliderDepth();
-        if (m_forest[m_resultNode].levels == std::numeric_limits<Position>::max()) {
-            report(DiagnosticCode::TooManyLevels, depth ? depth->range : m_forest[m_resultNode].nameRange);
-            return;
-        }
-        LevelSequence::Builder builder;
-        m_forest.writeLevels(m_resultNode, builder);
-        const ObjectNode &mesh = m_forest.mesh(m_resultNode);
-        m_result.description = FractalDescription{std::string(mesh.meshPath), mesh.meshRange, std::move(m_sets),
-                                                  std::move(builder).build(), depth};
     }
 
-    std::optional<FractalDescription::Depth> sliderDepth() const
+    /// A line that makes the last good object or recursive the result.
+    [[nodiscard]] std::optional<Fix> resultOfLast() const
     {
-        for (std::uint32_t at = m_resultNode; at != ObjectNode::none; at = m_forest[at].next) {
-            if (m_forest[at].repeated != ObjectNode::none) {
-                return FractalDescription::Depth{m_forest[at].count, m_forest[at].countRange};
+        for (std::uint32_t i = m_model.forest.size(); i-- > 0;) {
+            const ObjectNode &node = m_model.forest[i];
+            if (!node.isBad) {
+                const std::string name(m_syntax.names()[node.name]);
+                const std::string line = std::format("<$>. {}{}", name, node.isRecursive ? " 6" : "");
+                const std::string &text = m_syntax.text();
+                const bool isAtStart = text.empty() || text.back() == '\n' || text.back() == '\r';
+                return insertion(std::format("Make {} the result", name), text.size(),
+                                 (isAtStart ? "" : "\n") + line + '\n');
             }
         }
         return std::nullopt;
     }
 
     const FdoSyntax &m_syntax;
-    LineMap m_lines;
-    FdoResult m_result;
-    std::unordered_map<std::string_view, Symbol> m_symbols;
-    std::vector<std::string_view> m_names;
-    std::vector<VectorEntry> m_vectors;
-    std::vector<TransformationEntry> m_transformations;
-    std::vector<TransformSet> m_sets;
-    ObjectForest m_forest;
-    std::uint32_t m_resultNode = ObjectNode::none;
+    FdoModel m_model;
+    bool m_hasText = true;
+    std::uint32_t m_line = 0;
 };
 
 }
 
-FdoResult resolveFdo(const FdoSyntax &syntax)
+FdoModel resolveFdo(const FdoSyntax &syntax)
 {
     return Resolver(syntax).resolve();
-}
-
-FdoResult readFdo(std::string_view text)
-{
-    return resolveFdo(parseFdo(text));
 }
 
 }

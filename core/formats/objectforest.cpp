@@ -26,7 +26,7 @@ Position saturatedProduct(Position a, Position b)
 std::uint32_t ObjectForest::add(ObjectNode node)
 {
     const auto index = static_cast<std::uint32_t>(m_nodes.size());
-    node.levels = node.sets.size();
+    node.levels = node.endSet - node.firstSet;
     if (node.repeated != ObjectNode::none) {
         node.levels = saturatedSum(node.levels, saturatedProduct(m_nodes[node.repeated].iterationLevels, node.count));
     }
@@ -45,7 +45,7 @@ std::uint32_t ObjectForest::add(ObjectNode node)
     if (node.isRecursive && node.base != ObjectNode::none) {
         node.iterationLevels = node.levels - m_nodes[node.base].levels;
     }
-    m_nodes.push_back(std::move(node));
+    m_nodes.push_back(node);
     return index;
 }
 
@@ -59,7 +59,7 @@ bool ObjectForest::standsOn(std::uint32_t node, std::uint32_t below) const
     return node == below;
 }
 
-std::string ObjectForest::chain(std::uint32_t node) const
+std::string ObjectForest::chain(std::uint32_t node, const NameTable &names) const
 {
     constexpr std::uint32_t shownAtTop = 4;
     std::string text;
@@ -75,10 +75,7 @@ std::string ObjectForest::chain(std::uint32_t node) const
             shown = 0;
             continue;
         }
-        text += at.name;
-        if (!at.meshPath.empty()) {
-            text += " → \"" + std::string(at.meshPath) + '"';
-        }
+        text += names[at.name];
         ++shown;
         node = at.next;
     }
@@ -104,7 +101,7 @@ void ObjectForest::writeLevels(std::uint32_t node, LevelSequence::Builder &build
         }
         const ObjectNode &at = m_nodes[frame.node];
         assert(!at.isBad && "only good objects have levels");
-        for (const SetId set : at.sets) {
+        for (SetId set = at.firstSet; set < at.endSet; ++set) {
             builder.addLevel(set);
         }
         frame.node = at.next;
@@ -115,12 +112,12 @@ void ObjectForest::writeLevels(std::uint32_t node, LevelSequence::Builder &build
     }
 }
 
-const ObjectNode &ObjectForest::mesh(std::uint32_t node) const
+std::uint32_t ObjectForest::meshNode(std::uint32_t node) const
 {
     while (m_nodes[node].next != ObjectNode::none) {
         node = m_nodes[node].next;
     }
-    return m_nodes[node];
+    return node;
 }
 
 }

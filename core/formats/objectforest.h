@@ -4,10 +4,9 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/text/sourcerange.h"
+#include "core/text/nametable.h"
 #include "levelsequence.h"
 
 namespace romanesco {
@@ -17,18 +16,20 @@ namespace romanesco {
 struct ObjectNode {
     static constexpr std::uint32_t none = 0xFFFFFFFF;
 
-    std::string_view name;
-    SourceRange nameRange;
+    /// Nameless for <$>.
+    NameId name = NameTable::nameless;
+    /// The line (from 0) that declares it.
+    std::uint32_t line = 0;
     bool isRecursive = false;
     bool isBad = false;
+    bool isMesh = false;
 
-    /// Own sets, outermost first; then a mesh, or `repeated` n times, or nothing between them and `next`.
-    std::vector<SetId> sets;
-    std::string_view meshPath;
-    SourceRange meshRange;
+    /// Own sets [firstSet, endSet), outermost first; then a mesh, or `repeated` count times, or nothing between them and
+    /// `next`.
+    SetId firstSet = 0;
+    SetId endSet = 0;
     std::uint32_t repeated = none;
     std::uint64_t count = 0;
-    SourceRange countRange;
 
     /// What it stands on by name.
     std::uint32_t next = none;
@@ -48,6 +49,7 @@ struct ObjectNode {
 class ObjectForest
 {
 public:
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(m_nodes.size()); }
     [[nodiscard]] const ObjectNode &operator[](std::uint32_t index) const { return m_nodes[index]; }
 
     /// Adds a node whose sets, inner part and next are filled in, and works out the rest.
@@ -56,15 +58,15 @@ public:
     /// Whether `below` is `node` itself or stands under it.
     [[nodiscard]] bool standsOn(std::uint32_t node, std::uint32_t below) const;
 
-    /// "y → k → a", from the node down to its mesh, shortened in the middle.
-    [[nodiscard]] std::string chain(std::uint32_t node) const;
+    /// "y → k → a", from the node down to the one that holds the mesh, shortened in the middle.
+    [[nodiscard]] std::string chain(std::uint32_t node, const NameTable &names) const;
 
     /// All levels from the node down to its mesh. Iterative; cost linear in the nodes passed.
     /// Precondition: node.levels is not held at the greatest value.
     void writeLevels(std::uint32_t node, LevelSequence::Builder &builder) const;
 
     /// The node that holds the mesh under a node.
-    [[nodiscard]] const ObjectNode &mesh(std::uint32_t node) const;
+    [[nodiscard]] std::uint32_t meshNode(std::uint32_t node) const;
 
 private:
     std::vector<ObjectNode> m_nodes;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <format>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "core/formats/objreader.h"
 #include "core/fractal/extent.h"
 #include "core/text/linemap.h"

@@ -73,7 +73,7 @@ std::string_view name(Severity severity)
     return "hint";
 }
 
-std::string Diagnostic::message() const
+std::string message(DiagnosticCode code, const std::vector<std::string> &arguments)
 {
     // Arguments come from files and may hold braces: replaced by hand, in one pass, never through a format string.
     const std::string_view words = row(code).words;
@@ -92,9 +92,35 @@ std::string Diagnostic::message() const
     return text;
 }
 
+Fix insertion(std::string title, std::size_t at, std::string text)
+{
+    return replacement(std::move(title), {at, at}, std::move(text));
+}
+
+Fix replacement(std::string title, SourceRange range, std::string text)
+{
+    return {std::move(title), {{range, std::move(text)}}};
+}
+
 bool hasErrors(const Diagnostics &diagnostics)
 {
     return std::ranges::any_of(diagnostics, &Diagnostic::isError);
+}
+
+void shift(Diagnostic &diagnostic, std::size_t by)
+{
+    const auto move = [by](SourceRange &range) { range = {range.begin + by, range.end + by}; };
+    move(diagnostic.range);
+    if (diagnostic.fix) {
+        for (TextEdit &edit : diagnostic.fix->edits) {
+            move(edit.range);
+        }
+    }
+    for (Note &note : diagnostic.notes) {
+        if (note.file.empty()) {
+            move(note.range);
+        }
+    }
 }
 
 void sortByPlace(Diagnostics &diagnostics)
@@ -102,10 +128,16 @@ void sortByPlace(Diagnostics &diagnostics)
     std::ranges::stable_sort(diagnostics, {}, [](const Diagnostic &d) { return d.range.begin; });
 }
 
-std::string toLine(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines)
+std::string toLines(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines)
 {
     const TextPosition at = lines.position(diagnostic.range.begin);
-    return std::format("{}:{}:{}: {}: {}", file, at.line, at.column, name(diagnostic.severity()), diagnostic.message());
+    std::string text =
+        std::format("{}:{}:{}: {}: {}", file, at.line, at.column, name(diagnostic.severity()), diagnostic.message());
+    for (const Note &note : diagnostic.notes) {
+        text += std::format("\n{}:{}:{}: note: {}", note.file.empty() ? file : std::string_view(note.file),
+                            note.position.line, note.position.column, note.message());
+    }
+    return text;
 }
 
 }

@@ -8,14 +8,36 @@
 
 namespace romanesco {
 
+namespace {
+
+/// Where the character stands next, from an offset on; the end of the text where it does not. memchr looks at many
+/// bytes at once, which a search for several characters does not.
+std::size_t next(std::string_view text, char character, std::size_t from)
+{
+    const std::size_t at = text.find(character, from);
+    return at == text.npos ? text.size() : at;
+}
+
+}
+
 LineMap::LineMap(std::string_view text)
     : m_text(text)
     , m_starts{0}
 {
-    for (std::size_t at = text.find_first_of("\r\n"); at != text.npos; at = text.find_first_of("\r\n", at)) {
-        const bool pair = text.substr(at, 2) == "\r\n";
-        at += pair ? 2 : 1;
-        m_starts.push_back(at);
+    std::size_t feed = next(text, '\n', 0);
+    std::size_t carriage = next(text, '\r', 0);
+    while (feed < text.size() || carriage < text.size()) {
+        std::size_t after = std::min(feed, carriage) + 1;
+        if (carriage + 1 == feed && feed < text.size()) {
+            after = feed + 1;
+        }
+        m_starts.push_back(after);
+        if (feed < after) {
+            feed = next(text, '\n', after);
+        }
+        if (carriage < after) {
+            carriage = next(text, '\r', after);
+        }
     }
 }
 
@@ -29,11 +51,22 @@ SourceRange LineMap::line(std::size_t index) const
     return {begin, end};
 }
 
+std::string_view LineMap::lineText(std::size_t index) const
+{
+    const SourceRange range = line(index);
+    return m_text.substr(range.begin, range.length());
+}
+
+std::size_t LineMap::lineAt(std::size_t offset) const
+{
+    const auto next = std::upper_bound(m_starts.begin(), m_starts.end(), std::min(offset, m_text.size()));
+    return static_cast<std::size_t>(next - m_starts.begin()) - 1;
+}
+
 TextPosition LineMap::position(std::size_t offset) const
 {
     offset = std::min(offset, m_text.size());
-    const auto next = std::upper_bound(m_starts.begin(), m_starts.end(), offset);
-    const std::size_t index = static_cast<std::size_t>(next - m_starts.begin()) - 1;
+    const std::size_t index = lineAt(offset);
     const std::string_view before = m_text.substr(m_starts[index], offset - m_starts[index]);
     return {index + 1, codePointCount(before) + 1};
 }

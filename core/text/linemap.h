@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "sourcerange.h"
+#include "textposition.h"
 
 namespace romanesco {
-
-/// A place in a text as people count: line and column from 1, columns in code points.
-struct TextPosition {
-    std::size_t line = 1;
-    std::size_t column = 1;
-    bool operator==(const TextPosition &) const = default;
-};
 
 /// The lines of a text. A line ends at LF, CR LF or a CR alone; what follows the last end is a line too, if only an
 /// empty one. Keeps a view of the text, which must outlive it. Building is one pass; a look-up is a binary search.
@@ -26,8 +20,16 @@ public:
 
     [[nodiscard]] std::size_t lineCount() const { return m_starts.size(); }
 
-    /// The bytes of a line (from 0), its end mark left out.
+    /// Where a line (from 0) starts; for lineCount(), the size of the text.
+    [[nodiscard]] std::size_t start(std::size_t index) const
+    {
+        return index < m_starts.size() ? m_starts[index] : m_text.size();
+    }
+    /// The bytes of a line, its end mark left out.
     [[nodiscard]] SourceRange line(std::size_t index) const;
+    [[nodiscard]] std::string_view lineText(std::size_t index) const;
+    /// The line that holds an offset; its end mark is part of it. Beyond the text it is the last line.
+    [[nodiscard]] std::size_t lineAt(std::size_t offset) const;
 
     [[nodiscard]] TextPosition position(std::size_t offset) const;
 

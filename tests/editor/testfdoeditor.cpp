@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "editor/fdoeditor.h"
 #include "editor/syntax.h"
 

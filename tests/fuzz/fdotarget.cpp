@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "core/fractal/counts.h"
 #include "core/fractal/extent.h"
 #include "core/fractal/statetable.h"
@@ -47,7 +47,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     const FdoResult result = readFdo(text);
     for (const Diagnostic &diagnostic : result.diagnostics) {
         require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= size);
-        require(!toLine(diagnostic, "a.fdo", lines).empty());
+        require(!toLines(diagnostic, "a.fdo", lines).empty());
     }
     if (!result.description) {
         require(hasErrors(result.diagnostics));

@@ -29,7 +29,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     require(result.diagnostics.size() <= 1);
     for (const Diagnostic &diagnostic : result.diagnostics) {
         require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= size);
-        require(!toLine(diagnostic, "a.obj", LineMap(text)).empty());
+        require(!toLines(diagnostic, "a.obj", LineMap(text)).empty());
     }
     for (const auto &face : result.mesh.faces) {
         require(face[0] < result.mesh.vertices.size() && face[1] < result.mesh.vertices.size()

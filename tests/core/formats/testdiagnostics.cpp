@@ -8,7 +8,7 @@
 #include <QFile>
 #include <QTest>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "core/text/linemap.h"
 #include "tests/testmain.h"
 
@@ -25,6 +25,24 @@ QByteArray bytesOf(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The fix with what it makes of the line, and the notes.
+QByteArray asides(const Diagnostic &diagnostic, const std::string &text)
+{
+    QByteArray out;
+    if (diagnostic.fix) {
+        const std::string fixed = applied(text, diagnostic.fix->edits);
+        const LineMap lines(fixed);
+        const std::size_t line = lines.lineAt(diagnostic.fix->edits.front().range.begin);
+        out += "        fix: " + QByteArray::fromStdString(diagnostic.fix->title) + ": "
+            + QByteArray::fromStdString(std::string(lines.lineText(line))) + '\n';
+    }
+    for (const Note &note : diagnostic.notes) {
+        out += "        note: " + QByteArray::number(note.position.line) + ':'
+            + QByteArray::number(note.position.column) + ": " + QByteArray::fromStdString(note.message()) + '\n';
+    }
+    return out;
 }
 
 /// Each line that has something said about it, and below it what is said and of what.
@@ -47,6 +65,7 @@ QByteArray annotated(const std::string &text)
             + (end.line == begin.line ? QByteArray::number(end.column) : QByteArray("another line")) + ' '
             + name(diagnostic.severity()).data() + ' ' + name(diagnostic.code).data() + ": "
             + QByteArray::fromStdString(diagnostic.message()) + '\n';
+        out += asides(diagnostic, text);
     }
     return out + (result.description ? "means something\n" : "means nothing\n");
 }
@@ -63,6 +82,7 @@ private Q_SLOTS:
     void samplesGetTheirRemarks_data();
     void samplesGetTheirRemarks();
     void aLineGetsOneError();
+    void fixesPutRight();
     void everyDiagnosticOfFdoOccurs();
 };
 
@@ -110,6 +130,27 @@ void TestDiagnostics::aLineGetsOneError()
     }
 }
 
+/// After a fix the same is not said again of the same place.
+void TestDiagnostics::fixesPutRight()
+{
+    int fixes = 0;
+    for (const QFileInfo &info : QDir(folder()).entryInfoList({QStringLiteral("*.fdo")}, QDir::Files)) {
+        const std::string text = bytesOf(info.filePath()).toStdString();
+        for (const Diagnostic &diagnostic : readFdo(text).diagnostics) {
+            if (!diagnostic.fix) {
+                continue;
+            }
+            ++fixes;
+            const std::string fixed = applied(text, diagnostic.fix->edits);
+            for (const Diagnostic &left : readFdo(fixed).diagnostics) {
+                QVERIFY2(left.message() != diagnostic.message() || left.range.begin != diagnostic.range.begin,
+                         qPrintable(info.fileName() + QStringLiteral(": ") + QString::fromStdString(left.message())));
+            }
+        }
+    }
+    QVERIFY(fixes > 30);
+}
+
 /// So that a new message comes with a sample. Left out are those that need a mesh or bytes that are no text, and two that
 /// nothing reports.
 void TestDiagnostics::everyDiagnosticOfFdoOccurs()
@@ -126,6 +167,9 @@ void TestDiagnostics::everyDiagnosticOfFdoOccurs()
         for (const Diagnostic &diagnostic :
              readFdo(bytesOf(folder() + QLatin1Char('/') + name).toStdString()).diagnostics) {
             missing.erase(diagnostic.code);
+            for (const Note &note : diagnostic.notes) {
+                missing.erase(note.code);
+            }
         }
     }
     QByteArray names;

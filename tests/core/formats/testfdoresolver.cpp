@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 
 #include <clocale>
 #include <locale>
@@ -8,7 +8,6 @@
 
 #include <QTest>
 
-#include "core/formats/fdoparser.h"
 #include "core/text/linemap.h"
 #include "tests/testmain.h"
 
@@ -267,11 +266,11 @@ void TestFdoResolver::everyLocaleReadsAlike()
     for (const char *name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"}) {
         std::setlocale(LC_ALL, name);
     }
-    const FdoSyntax syntax = parseFdo("v 0.5 1.25 1e-3");
+    const FdoSyntax syntax("v 0.5 1.25 1e-3");
     std::setlocale(LC_ALL, "C");
     std::locale::global(previous);
-    QVERIFY(syntax.diagnostics.empty());
-    QVERIFY(std::get<VectorDeclaration>(syntax.declarations[0].node).value == glm::dvec3(0.5, 1.25, 1e-3));
+    QVERIFY(syntax.diagnostics().empty());
+    QVERIFY(std::get<VectorDeclaration>(syntax.line(0).declaration).value == glm::dvec3(0.5, 1.25, 1e-3));
 }
 
 void TestFdoResolver::depthsUpToTheGreatest()

@@ -8,7 +8,7 @@
 #include <QFile>
 #include <QString>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "core/formats/objreader.h"
 #include "core/fractal/fractalgraph.h"
 #include "tests/core/naive.h"

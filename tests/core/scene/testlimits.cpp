@@ -176,7 +176,7 @@ void TestLimits::texts()
         result = loader.load("a.fdo", text);
         const LineMap lines(text);
         for (std::size_t i = 0; i < std::min<std::size_t>(result.diagnostics.size(), 100); ++i) {
-            length = std::max(length, toLine(result.diagnostics[i], "a.fdo", lines).size());
+            length = std::max(length, toLines(result.diagnostics[i], "a.fdo", lines).size());
         }
     });
     QCOMPARE(result.scene != nullptr, isScene);

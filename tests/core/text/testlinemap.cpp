@@ -103,9 +103,10 @@ void TestLineMap::diagnosticsPrintAsCompilersDo()
     const LineMap map(text);
     const std::size_t at = text.find("wrong");
     const Diagnostic diagnostic{DiagnosticCode::UnknownName, {at, at + 5}, {"wrong"}};
-    QCOMPARE(toLine(diagnostic, "tree.fdo", map), "tree.fdo:2:5: error: nothing named wrong is declared above");
-    QCOMPARE(toLine({DiagnosticCode::Unused, {0, 5}, {"first"}}, "a.fdo", map), "a.fdo:1:1: hint: first is never used");
-    QCOMPARE(toLine({DiagnosticCode::EmptyIteration, {0, 5}, {"z"}}, "a.fdo", map),
+    QCOMPARE(toLines(diagnostic, "tree.fdo", map), "tree.fdo:2:5: error: nothing named wrong is declared above");
+    QCOMPARE(toLines({DiagnosticCode::Unused, {0, 5}, {"first"}}, "a.fdo", map),
+             "a.fdo:1:1: hint: first is never used");
+    QCOMPARE(toLines({DiagnosticCode::EmptyIteration, {0, 5}, {"z"}}, "a.fdo", map),
              "a.fdo:1:1: warning: an iteration of z adds nothing");
 }
 

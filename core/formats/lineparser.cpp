@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "lineparser.h"
+
+#include <algorithm>
+#include <format>
+
+#include "numbers.h"
+#include "parsedlines.h"
+
+namespace romanesco {
+
+std::optional<Diagnostic> foreignEncoding(std::string_view text)
+{
+    const auto problem = [](const char *words) { return Diagnostic{DiagnosticCode::NotUtf8, {0, 0}, {words}}; };
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+        return problem("it looks like UTF-16");
+    }
+    if (text.substr(0, 4096).contains('\0')) {
+        return problem("it holds NUL bytes");
+    }
+    return std::nullopt;
+}
+
+LineParser::LineParser(std::string_view line, std::size_t skipped, Diagnostics &diagnostics)
+    : m_line(line)
+    , m_lexer(line.substr(skipped), skipped)
+    , m_diagnostics(diagnostics)
+    , m_lastEnd(skipped)
+{
+}
+
+bool LineParser::error(DiagnosticCode code, SourceRange range, std::vector<std::string> arguments,
+                       std::optional<Fix> fix)
+{
+    m_diagnostics.push_back({code, range, std::move(arguments), std::move(fix)});
+    return false;
+}
+
+bool LineParser::expected(std::string what, const Token &found, std::optional<Fix> fix)
+{
+    return error(DiagnosticCode::Expected, found.range, {described(found), std::move(what)}, std::move(fix));
+}
+
+Token LineParser::take(LexMode mode)
+{
+    const Token token = m_lexer.take(mode);
+    m_lastEnd = token.range.end;
+    return token;
+}
+
+bool LineParser::take(TokenKind kind, const char *what)
+{
+    const Token token = peek();
+    if (token.is(kind)) {
+        take();
+        return true;
+    }
+    if (kind == TokenKind::CloseParenthesis && !token.is(TokenKind::Comma)) {
+        return expected(what, token, insertion("Insert the missing )", m_lastEnd, ")"));
+    }
+    return expected(what, token);
+}
+
+bool LineParser::parseEnd()
+{
+    const Token token = peek();
+    if (token.is(TokenKind::EndOfLine) || token.is(TokenKind::Hash)) {
+        return true;
+    }
+    return error(DiagnosticCode::TrailingText, token.range, {described(token)},
+                 insertion("Make it a comment", token.range.begin, m_lexer.isBlankBeforeNext() ? "# " : " # "));
+}
+
+bool LineParser::parseNumber(double &value)
+{
+    const Token token = peek();
+    if (!token.is(TokenKind::Number)) {
+        return expected("a number", token);
+    }
+    take();
+    const auto [number, status] = numberFromText(token.text);
+    value = number;
+    const std::string written(token.text);
+    switch (status) {
+    case NumberStatus::Good:
+        return true;
+    case NumberStatus::Underflow:
+        error(DiagnosticCode::NumberTooSmall, token.range, {written}, replacement("Write 0", token.range, "0"));
+        return true;
+    case NumberStatus::Overflow:
+        return error(DiagnosticCode::NumberTooLarge, token.range, {written});
+    case NumberStatus::Malformed:
+        break;
+    }
+    return error(DiagnosticCode::BadNumber, token.range, {written});
+}
+
+bool LineParser::parseIndex(std::uint64_t &index)
+{
+    const Token token = take();
+    const std::optional<std::uint64_t> value = wholeFromText(token.text);
+    if (value) {
+        index = *value;
+        return true;
+    }
+    // `+6` and `6.0` are clear enough
+    std::string_view digits = token.text;
+    digits.remove_prefix(digits.starts_with('+') ? 1 : 0);
+    const std::size_t dot = std::min(digits.find('.'), digits.size());
+    const bool isWhole = digits.substr(dot).find_first_not_of(".0") == digits.npos;
+    digits = digits.substr(0, dot);
+    std::optional<Fix> fix;
+    if (isWhole && wholeFromText(digits)) {
+        fix = replacement(std::format("Write {}", digits), token.range, std::string(digits));
+    }
+    return error(DiagnosticCode::BadIndex, token.range, {std::string(token.text)}, std::move(fix));
+}
+
+bool LineParser::parseString(SourceRange &quoted)
+{
+    const Token token = peek();
+    if (token.is(TokenKind::UnclosedString)) {
+        // after the name's ending, else at the end of the line
+        std::string_view words = token.text.substr(0, token.text.find_last_not_of(" \t\v\f") + 1);
+        for (std::size_t dot = words.find('.'); dot != words.npos; dot = words.find('.', dot + 1)) {
+            const std::string_view upTo = words.substr(0, dot + 4);
+            if (hasEnding(upTo, ".obj") || hasEnding(upTo, ".fdo")) {
+                words = upTo;
+            }
+        }
+        return error(DiagnosticCode::UnclosedString, token.range, {},
+                     insertion("Insert the missing quote", token.range.begin + words.size(), "\""));
+    }
+    if (!token.is(TokenKind::String)) {
+        return expected("a path in quotes", token);
+    }
+    take();
+    quoted = token.range;
+    return true;
+}
+
+std::string_view unquoted(std::string_view string)
+{
+    return string.size() < 2 ? std::string_view() : string.substr(1, string.size() - 2);
+}
+
+bool hasEnding(std::string_view path, std::string_view ending)
+{
+    const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? static_cast<char>(a + 32) : a) == b; };
+    return path.size() >= ending.size() && std::ranges::equal(path.substr(path.size() - ending.size()), ending, isSame);
+}
+
+}
