@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/text/diagnostic.h"
+#include "scenedescription.h"
+
+namespace romanesco {
+
+/// What an .sdo text means, beside all that is wrong with it. Files that it names are not looked at.
+struct SdoResult {
+    /// Sorted by place.
+    Diagnostics diagnostics;
+    /// There where nothing is wrong.
+    std::optional<SceneDescription> description;
+};
+
+[[nodiscard]] SdoResult readSdo(std::string_view text);
+
+}
