@@ -52,7 +52,9 @@ std::optional<WrittenNumber> writtenNumber(std::string_view text, SourceRange ra
     if (status == NumberStatus::Malformed || status == NumberStatus::Overflow) {
         return std::nullopt;
     }
-    WrittenNumber number{range, value};
+    WrittenNumber number;
+    number.range = range;
+    number.value = value;
     const std::size_t e = std::min(words.find_first_of("eE"), words.size());
     const std::string_view mantissa = words.substr(0, e);
     const std::size_t dot = mantissa.find('.');
