@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "renumbering.h"
+
+#include <algorithm>
+
+namespace romanesco {
+
+namespace {
+
+/// How many lines two texts start with, or end with, alike; counted from one end, at most `most`.
+template<typename LineOf>
+std::size_t alikeLines(std::size_t most, LineOf lineOf)
+{
+    std::size_t count = 0;
+    while (count < most && lineOf(count)) {
+        ++count;
+    }
+    return count;
+}
+
+std::size_t vectorsAbove(const FdoModel &model, std::size_t line)
+{
+    const auto at = std::ranges::lower_bound(model.vectors, line, {}, &VectorEntry::line);
+    return static_cast<std::size_t>(at - model.vectors.begin());
+}
+
+class Renumberer
+{
+public:
+    Renumberer(const FdoDocument &before, const FdoDocument &after)
+        : m_after(after.syntax)
+    {
+        const LineMap &old = before.syntax.map();
+        const LineMap &now = after.syntax.map();
+        const std::size_t most = std::min(before.syntax.lineCount(), after.syntax.lineCount());
+        const std::size_t start = alikeLines(most, [&](std::size_t i) { return old.lineText(i) == now.lineText(i); });
+        const std::size_t end = alikeLines(most - start, [&](std::size_t i) {
+            return old.lineText(before.syntax.lineCount() - 1 - i) == now.lineText(after.syntax.lineCount() - 1 - i);
+        });
+        m_firstLine = after.syntax.lineCount() - end;
+        m_keptBefore = vectorsAbove(before.model, start);
+        m_goneEnd = vectorsAbove(before.model, before.syntax.lineCount() - end);
+        m_newEnd = vectorsAbove(after.model, m_firstLine);
+    }
+
+    Renumbering run()
+    {
+        if (m_goneEnd == m_newEnd) {
+            return {}; // as many as before: changed at most in their values
+        }
+        for (std::size_t line = m_firstLine; line < m_after.lineCount(); ++line) {
+            std::visit([&](const auto &node) { renumber(line, node); }, m_after.line(line).declaration);
+        }
+        return std::move(m_result);
+    }
+
+private:
+    void renumber(std::size_t, std::monostate) { }
+    void renumber(std::size_t, const VectorDeclaration &) { }
+    void renumber(std::size_t, const UnknownDeclaration &) { }
+
+    void renumber(std::size_t line, const TransformationDeclaration &node)
+    {
+        for (const std::optional<VectorReference> &reference : node.results) {
+            if (reference) {
+                renumber(line, *reference);
+            }
+        }
+    }
+
+    void renumber(std::size_t line, const ObjectDeclaration &node)
+    {
+        for (const SetExpression &set : node.value.sets) {
+            for (const TransformationUse &use : set.uses) {
+                for (const VectorReference &argument : use.arguments) {
+                    renumber(line, argument);
+                }
+            }
+        }
+    }
+
+    void renumber(std::size_t line, const VectorReference &reference)
+    {
+        if (!reference.number || *reference.number == 0 || *reference.number - 1 < m_keptBefore) {
+            return;
+        }
+        const SourceRange range = m_after.range(line, reference.word.range);
+        const std::size_t index = *reference.number - 1;
+        if (index < m_goneEnd) {
+            m_result.orphans.push_back(range);
+        } else {
+            m_result.edits.push_back({range, std::to_string(index - m_goneEnd + m_newEnd + 1)});
+        }
+    }
+
+    const FdoSyntax &m_after;
+    /// Where the lines begin that both texts end with.
+    std::size_t m_firstLine = 0;
+    /// Vectors [0, m_keptBefore) are the same in both; [m_keptBefore, m_goneEnd) of the text before gave way to
+    /// [m_keptBefore, m_newEnd).
+    std::size_t m_keptBefore = 0;
+    std::size_t m_goneEnd = 0;
+    std::size_t m_newEnd = 0;
+    Renumbering m_result;
+};
+
+}
+
+Renumbering renumbering(const FdoDocument &before, const FdoDocument &after)
+{
+    return Renumberer(before, after).run();
+}
+
+}
