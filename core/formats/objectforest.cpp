@@ -112,6 +112,35 @@ void ObjectForest::writeLevels(std::uint32_t node, LevelSequence::Builder &build
     }
 }
 
+ObjectForest::Origin ObjectForest::origin(std::uint32_t node, Position position) const
+{
+    Origin found;
+    // levels from the place looked for to the mesh; a recursive's iteration ends at its base
+    Position left = m_nodes[node].levels - position;
+    while (true) {
+        // the lowest node that still has so many
+        while (true) {
+            const ObjectNode &at = m_nodes[node];
+            if (at.next == ObjectNode::none || m_nodes[at.next].levels < left) {
+                break;
+            }
+            node = m_nodes[at.jump].levels >= left ? at.jump : at.next;
+        }
+        const ObjectNode &at = m_nodes[node];
+        const Position passed = at.levels - left;
+        if (passed < at.endSet - at.firstSet) {
+            found.node = node;
+            found.set = at.firstSet + static_cast<SetId>(passed);
+            return found;
+        }
+        const ObjectNode &recursive = m_nodes[at.repeated];
+        const Position inRepeat = passed - (at.endSet - at.firstSet);
+        found.passes.push_back({at.repeated, inRepeat / recursive.iterationLevels});
+        left = m_nodes[recursive.base].levels + recursive.iterationLevels - inRepeat % recursive.iterationLevels;
+        node = at.repeated;
+    }
+}
+
 std::uint32_t ObjectForest::meshNode(std::uint32_t node) const
 {
     while (m_nodes[node].next != ObjectNode::none) {

@@ -65,6 +65,22 @@ public:
     /// Precondition: node.levels is not held at the greatest value.
     void writeLevels(std::uint32_t node, LevelSequence::Builder &builder) const;
 
+    /// Where a level of a node comes from.
+    struct Origin {
+        /// The node in whose line the set is written, and the set.
+        std::uint32_t node = ObjectNode::none;
+        SetId set = 0;
+        /// The recursives round it, outermost first, each with the pass (from 0) of its iteration.
+        struct Pass {
+            std::uint32_t recursive = ObjectNode::none;
+            std::uint64_t pass = 0;
+        };
+        std::vector<Pass> passes;
+    };
+    /// Position counts from the node inwards, below its levels, which must not be held at the greatest value. Cost: a
+    /// logarithm of the nodes for each recursive round it.
+    [[nodiscard]] Origin origin(std::uint32_t node, Position position) const;
+
     /// The node that holds the mesh under a node.
     [[nodiscard]] std::uint32_t meshNode(std::uint32_t node) const;
 

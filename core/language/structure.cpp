@@ -16,10 +16,6 @@ const Value *valueIn(const FdoSyntax &syntax, std::size_t line)
     return object ? &object->value : nullptr;
 }
 
-SymbolKind kindOf(std::monostate)
-{
-    return SymbolKind::Undeclared;
-}
 SymbolKind kindOf(const VectorDeclaration &)
 {
     return SymbolKind::Vector;
