@@ -22,6 +22,25 @@ std::optional<Diagnostic> foreignEncoding(std::string_view text)
     return std::nullopt;
 }
 
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f";
+
+/// Up to the last ending of a file's name; 0 where there is none.
+std::size_t pathLength(std::string_view words)
+{
+    std::size_t length = 0;
+    for (std::size_t dot = words.find('.'); dot != words.npos; dot = words.find('.', dot + 1)) {
+        const std::string_view upTo = words.substr(0, dot + 4);
+        if (hasEnding(upTo, ".obj") || hasEnding(upTo, ".fdo")) {
+            length = upTo.size();
+        }
+    }
+    return length;
+}
+
+}
+
 LineParser::LineParser(std::string_view line, std::size_t skipped, Diagnostics &diagnostics)
     : m_line(line)
     , m_lexer(line.substr(skipped), skipped)
@@ -72,11 +91,11 @@ bool LineParser::parseEnd()
                  insertion("Make it a comment", token.range.begin, m_lexer.isBlankBeforeNext() ? "# " : " # "));
 }
 
-bool LineParser::parseNumber(double &value)
+bool LineParser::parseNumber(double &value, const char *what)
 {
     const Token token = peek();
     if (!token.is(TokenKind::Number)) {
-        return expected("a number", token);
+        return expected(what, token);
     }
     take();
     const auto [number, status] = numberFromText(token.text);
@@ -94,6 +113,16 @@ bool LineParser::parseNumber(double &value)
         break;
     }
     return error(DiagnosticCode::BadNumber, token.range, {written});
+}
+
+std::optional<Fix> LineParser::quotes(std::size_t begin) const
+{
+    const std::size_t length = pathLength(m_line.substr(begin));
+    if (length == 0) {
+        return std::nullopt;
+    }
+    const std::size_t end = begin + length;
+    return Fix{"Put it in quotes", {{{begin, begin}, "\""}, {{end, end}, "\""}}};
 }
 
 bool LineParser::parseIndex(std::uint64_t &index)
@@ -122,18 +151,13 @@ bool LineParser::parseString(SourceRange &quoted)
     const Token token = peek();
     if (token.is(TokenKind::UnclosedString)) {
         // after the name's ending, else at the end of the line
-        std::string_view words = token.text.substr(0, token.text.find_last_not_of(" \t\v\f") + 1);
-        for (std::size_t dot = words.find('.'); dot != words.npos; dot = words.find('.', dot + 1)) {
-            const std::string_view upTo = words.substr(0, dot + 4);
-            if (hasEnding(upTo, ".obj") || hasEnding(upTo, ".fdo")) {
-                words = upTo;
-            }
-        }
+        const std::size_t length = pathLength(token.text);
+        const std::size_t end = length > 0 ? length : token.text.find_last_not_of(blanks) + 1;
         return error(DiagnosticCode::UnclosedString, token.range, {},
-                     insertion("Insert the missing quote", token.range.begin + words.size(), "\""));
+                     insertion("Insert the missing quote", token.range.begin + end, "\""));
     }
     if (!token.is(TokenKind::String)) {
-        return expected("a path in quotes", token);
+        return expected("a path in quotes", token, quotes(token.range.begin));
     }
     take();
     quoted = token.range;

@@ -31,7 +31,7 @@ protected:
     /// Nothing but a comment may follow a whole declaration.
     bool parseEnd();
 
-    bool parseNumber(double &value);
+    bool parseNumber(double &value, const char *what = "a number");
     /// A token that is known to be digits, or looks like a number. What does not fit 64 bits becomes the greatest value.
     bool parseIndex(std::uint64_t &index);
     /// A path in quotes; gives the range with them.
@@ -49,6 +49,9 @@ protected:
     [[nodiscard]] std::string_view line() const { return m_line; }
 
 private:
+    /// Quotes round what looks like a path.
+    [[nodiscard]] std::optional<Fix> quotes(std::size_t begin) const;
+
     std::string_view m_line;
     LineLexer m_lexer;
     Diagnostics &m_diagnostics;

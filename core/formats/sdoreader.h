@@ -7,6 +7,7 @@
 
 #include "core/text/diagnostic.h"
 #include "scenedescription.h"
+#include "sdosyntax.h"
 
 namespace romanesco {
 
@@ -18,6 +19,10 @@ struct SdoResult {
     std::optional<SceneDescription> description;
 };
 
+/// Puts together what the lines say. Cost linear in the text.
+[[nodiscard]] SdoResult describeSdo(const SdoSyntax &syntax);
+
+/// From the text to its meaning.
 [[nodiscard]] SdoResult readSdo(std::string_view text);
 
 }

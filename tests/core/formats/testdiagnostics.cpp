@@ -156,7 +156,7 @@ void TestDiagnostics::fixesPutRight()
 void TestDiagnostics::everyDiagnosticOfFdoOccurs()
 {
     std::set<DiagnosticCode> missing;
-    for (int i = 0; i < static_cast<int>(DiagnosticCode::ObjTooFewCoordinates); ++i) {
+    for (int i = 0; i < static_cast<int>(DiagnosticCode::ExpectedSceneLine); ++i) {
         missing.insert(static_cast<DiagnosticCode>(i));
     }
     for (const DiagnosticCode elsewhere : {DiagnosticCode::NotUtf8, DiagnosticCode::CannotRead, DiagnosticCode::BadMesh,
