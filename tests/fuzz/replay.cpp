@@ -11,8 +11,12 @@
 
 namespace {
 
+/// Left behind by a crash; two programs may run at once in one folder.
+std::string lastInput;
+
 void run(const std::string &text)
 {
+    std::ofstream(lastInput, std::ios::binary) << text;
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t *>(text.data()), text.size());
 }
 
@@ -79,10 +83,11 @@ std::string mutated(std::string text, std::mt19937_64 &random)
 
 }
 
-/// fuzz_FORMAT MUTATIONS FILE…   each file as it is, then mutated as often; 0 mutations replay a fuzzer's finds.
+/// fuzz_NAME MUTATIONS FILE…   each file as it is, then mutated as often; 0 mutations replay a fuzzer's finds.
 int main(int argc, char **argv)
 {
     const int mutations = argc > 1 ? std::atoi(argv[1]) : 0;
+    lastInput = std::string(argv[0]) + ".last";
     run("");
     for (int i = 2; i < argc; ++i) {
         std::ifstream file(argv[i], std::ios::binary);
@@ -94,11 +99,9 @@ int main(int argc, char **argv)
         run(text);
         std::mt19937_64 random(static_cast<std::uint64_t>(i));
         for (int j = 0; j < mutations; ++j) {
-            const std::string other = mutated(text, random);
-            std::ofstream("last-mutation", std::ios::binary) << other; // left behind by a crash
-            run(other);
+            run(mutated(text, random));
         }
     }
-    std::remove("last-mutation");
+    std::remove(lastInput.c_str());
     return 0;
 }

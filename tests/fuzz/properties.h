@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <source_location>
+#include <string_view>
+
+#include "core/text/diagnostic.h"
+#include "core/text/linemap.h"
+
+namespace romanesco {
+
+/// Always on, unlike assert().
+inline void require(bool holds, std::source_location place = std::source_location::current())
+{
+    if (!holds) {
+        std::fprintf(stderr, "%s:%u does not hold\n", place.file_name(), static_cast<unsigned>(place.line()));
+        std::abort();
+    }
+}
+
+/// What holds for the diagnostics of any text: each lies in it, and can be put into words at a line of it.
+inline void requireSound(const Diagnostics &diagnostics, std::string_view text)
+{
+    if (diagnostics.empty()) {
+        return;
+    }
+    const LineMap lines(text);
+    for (const Diagnostic &diagnostic : diagnostics) {
+        require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= text.size());
+        require(!toLine(diagnostic, "file", lines).empty());
+    }
+}
+
+}
