@@ -8,21 +8,15 @@ namespace romanesco {
 
 namespace {
 
-/// How many lines two texts start with, or end with, alike; counted from one end, at most `most`.
-template<typename LineOf>
-std::size_t alikeLines(std::size_t most, LineOf lineOf)
+/// How many entries of two lists are alike from one end on, of `most` at most.
+template<typename IsAlike>
+std::size_t alikeEntries(std::size_t most, IsAlike isAlike)
 {
     std::size_t count = 0;
-    while (count < most && lineOf(count)) {
+    while (count < most && isAlike(count)) {
         ++count;
     }
     return count;
-}
-
-std::size_t vectorsAbove(const FdoModel &model, std::size_t line)
-{
-    const auto at = std::ranges::lower_bound(model.vectors, line, {}, &VectorEntry::line);
-    return static_cast<std::size_t>(at - model.vectors.begin());
 }
 
 class Renumberer
@@ -34,14 +28,25 @@ public:
         const LineMap &old = before.syntax.map();
         const LineMap &now = after.syntax.map();
         const std::size_t most = std::min(before.syntax.lineCount(), after.syntax.lineCount());
-        const std::size_t start = alikeLines(most, [&](std::size_t i) { return old.lineText(i) == now.lineText(i); });
-        const std::size_t end = alikeLines(most - start, [&](std::size_t i) {
+        const std::size_t start = alikeEntries(most, [&](std::size_t i) { return old.lineText(i) == now.lineText(i); });
+        const std::size_t end = alikeEntries(most - start, [&](std::size_t i) {
             return old.lineText(before.syntax.lineCount() - 1 - i) == now.lineText(after.syntax.lineCount() - 1 - i);
         });
         m_firstLine = after.syntax.lineCount() - end;
-        m_keptBefore = vectorsAbove(before.model, start);
-        m_goneEnd = vectorsAbove(before.model, before.syntax.lineCount() - end);
-        m_newEnd = vectorsAbove(after.model, m_firstLine);
+
+        // by their lines again, but of vectors only: what was inserted may stand between other new lines
+        const std::vector<VectorEntry> &gone = before.model.vectors;
+        const std::vector<VectorEntry> &fresh = after.model.vectors;
+        const auto isAlike = [&](const VectorEntry &a, const VectorEntry &b) {
+            return old.lineText(a.line) == now.lineText(b.line);
+        };
+        const std::size_t fewest = std::min(gone.size(), fresh.size());
+        m_keptBefore = alikeEntries(fewest, [&](std::size_t i) { return isAlike(gone[i], fresh[i]); });
+        const std::size_t keptAfter = alikeEntries(fewest - m_keptBefore, [&](std::size_t i) {
+            return isAlike(gone[gone.size() - 1 - i], fresh[fresh.size() - 1 - i]);
+        });
+        m_goneEnd = gone.size() - keptAfter;
+        m_newEnd = fresh.size() - keptAfter;
     }
 
     Renumbering run()

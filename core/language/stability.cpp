@@ -71,7 +71,9 @@ public:
             }
         }
         for (std::size_t repeat = 1; repeat < levels.repeats().size(); ++repeat) {
-            checkConvergence(levels.repeats()[repeat]);
+            if (levels.repeats()[repeat].count > 1) {
+                checkConvergence(levels.repeats()[repeat]);
+            }
         }
         checkShear();
         checkDepth();
@@ -227,7 +229,7 @@ private:
         }
     }
 
-    /// Repeats are in order, and those of the whole sequence do not overlap.
+    /// What is passed through more than once. Repeats are in order, and those of the whole sequence do not overlap.
     [[nodiscard]] const LevelSequence::Repeat *outermostRepeat(LevelSequence::Slot slot) const
     {
         const std::vector<LevelSequence::Repeat> &repeats = m_description.levels.repeats();
@@ -235,7 +237,7 @@ private:
         const auto after =
             std::ranges::upper_bound(inner, slot, {}, [&](std::uint32_t i) { return repeats[i].firstSlot; });
         const LevelSequence::Repeat *before = after == inner.begin() ? nullptr : &repeats[*(after - 1)];
-        return before && slot < before->endSlot ? before : nullptr;
+        return before && before->count > 1 && slot < before->endSlot ? before : nullptr;
     }
 
     /// For the depth that a slider moves: where the copies that all passes have made smaller become too small.

@@ -30,7 +30,7 @@ inline void requireSound(const Diagnostics &diagnostics, std::string_view text)
     const LineMap lines(text);
     for (const Diagnostic &diagnostic : diagnostics) {
         require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= text.size());
-        require(!toLine(diagnostic, "file", lines).empty());
+        require(!toLines(diagnostic, "file", lines).empty());
     }
 }
 
