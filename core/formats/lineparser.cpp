@@ -117,6 +117,13 @@ bool LineParser::parseNumber(double &value, const char *what)
 
 std::optional<Fix> LineParser::quotes(std::size_t begin) const
 {
+    if (begin < m_line.size() && m_line[begin] == '\'') {
+        const std::size_t other = m_line.find('\'', begin + 1);
+        if (other == m_line.npos) {
+            return std::nullopt;
+        }
+        return Fix{"Write double quotes", {{{begin, begin + 1}, "\""}, {{other, other + 1}, "\""}}};
+    }
     const std::size_t length = pathLength(m_line.substr(begin));
     if (length == 0) {
         return std::nullopt;

@@ -43,6 +43,9 @@ public:
 
     bool readTransform()
     {
+        if (isOver()) {
+            return false;
+        }
         LineLexer inside = m_ahead;
         const bool isOpen = inside.take().is(TokenKind::OpenParenthesis);
         if (isOpen && !inside.peek().is(TokenKind::Number)) {
@@ -59,7 +62,7 @@ public:
                 takeOrInsert(TokenKind::Comma, ",");
             }
             if (isOver()) {
-                insert(m_end, " #");
+                insert(m_end, i > 0 ? " #" : "#");
             } else if (!readVector()) {
                 return false;
             }
@@ -119,13 +122,13 @@ private:
         return isComment || token.is(TokenKind::EndOfLine) || token.is(TokenKind::CloseParenthesis);
     }
 
-    /// Whether a bracket that follows closes what was taken to be closed: then the guess was wrong.
+    /// Whether the guess was wrong: a bracket that follows closes what was taken to be closed, or a comma goes on.
     [[nodiscard]] bool isLeftOpen() const
     {
         LineLexer ahead = m_ahead;
         Token token = ahead.take();
         while (!token.is(TokenKind::EndOfLine) && !token.is(TokenKind::Hash) && !token.is(TokenKind::OpenParenthesis)) {
-            if (token.is(TokenKind::CloseParenthesis)) {
+            if (token.is(TokenKind::CloseParenthesis) || token.is(TokenKind::Comma)) {
                 return true;
             }
             token = ahead.take();
