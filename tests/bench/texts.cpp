@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "texts.h"
+
+#include <algorithm>
+#include <format>
+#include <iterator>
+
+namespace romanesco {
+
+namespace {
+
+/// What most shapes stand on.
+constexpr std::string_view head = "v 0 1 0\n"
+                                  "half .5 .5 .5\n"
+                                  "t.a. (a, #, half)\n"
+                                  "o0. \"trunk.obj\"\n";
+
+/// Appends to a text; std::format would make a string for each line.
+template<typename... Arguments>
+void add(std::string &text, std::format_string<Arguments...> words, Arguments &&...arguments)
+{
+    std::format_to(std::back_inserter(text), words, std::forward<Arguments>(arguments)...);
+}
+
+/// Parts of ten lines: a comment, vectors, transformations, sets of five uses, a recursive; each part stands on the one
+/// before.
+std::string person(std::size_t lines)
+{
+    std::string text = "# A tree that somebody drew part by part\n"
+                       "half  0.5 0.5 0.5\n"
+                       "left  0 0 35\n"
+                       "right 0 0 -35.25\n"
+                       "trunk_0. \"trunk.obj\"\n";
+    for (std::size_t i = 1; i <= lines / 10; ++i) {
+        add(text, "# part {}: how this branch turns, and how far\n", i);
+        add(text, "up_{}     0 {}.125 0\n", i, i);
+        add(text, "v 1.5, {}, -2e-1\n\n", i);
+        add(text, "turn_{}.way.angle. (way, angle, half)\n", i);
+        add(text, "grow_{}. (up_{}, left, half)    # stays upright\n", i, i);
+        add(text, "start_{}. trunk_{}\n", i, i - 1);
+        add(text, "ring_{0}. [#, grow_{0}, turn_{0}.up_{0}.right, turn_{0}.half.left, turn_{0}.half.right] start_{0}\n",
+            i);
+        add(text,
+            "twig_{0}<ring_{0}>. [#, turn_{0}.up_{0}.right, turn_{0}.{1}.left, turn_{0}.1.2, grow_{0}] ring_{0}\n", i,
+            3 + 2 * i);
+        add(text, "trunk_{0}. twig_{0} 6\n", i);
+    }
+    add(text, "<$>. trunk_{}\n", lines / 10);
+    return text;
+}
+
+std::string chained(std::size_t objects)
+{
+    std::string text(head);
+    for (std::size_t i = 1; i <= objects; ++i) {
+        add(text, "o{}. [t.1] o{}\n", i, i - 1);
+    }
+    add(text, "<$>. o{}\n", objects);
+    return text;
+}
+
+/// Recursives on recursives: one iteration of each is one of the one before, and a level.
+std::string recursives(std::size_t count)
+{
+    std::string text(head);
+    text += "r0<o0>. [t.1] o0\n";
+    for (std::size_t i = 1; i <= count; ++i) {
+        add(text, "r{}<o0>. [t.1] r{} 1\n", i, i - 1);
+    }
+    add(text, "<$>. r{} 3\n", count);
+    return text;
+}
+
+/// One set of many uses, no two of which are the same map.
+std::string oneSet(std::size_t uses)
+{
+    std::string text(head);
+    for (std::size_t i = 0; i < 1'000; ++i) {
+        add(text, "v {} 1 1\n", 0.0625 * static_cast<double>(i + 2)); // also as angles no two are equal
+    }
+    text += "u.a.b. (a, b, half)\n<$>. [#, t.1";
+    for (std::size_t i = 0; i < uses; ++i) {
+        add(text, ", u.{}.{}", 3 + i / 1'000 % 1'000, 3 + i % 1'000);
+    }
+    return text + "] o0\n";
+}
+
+/// Set after set in one value.
+std::string manySets(std::size_t sets)
+{
+    std::string text(head);
+    text += "<$>. ";
+    for (std::size_t i = 0; i < sets; ++i) {
+        text += "[t.1] ";
+    }
+    return text + "o0\n";
+}
+
+/// What a parser by recursive descent would descend into.
+std::string openBrackets(std::size_t count)
+{
+    return std::string(head) + "<$>. " + std::string(count, '[') + "\n" + "t.p. " + std::string(count, '(') + "\n"
+        + "v " + std::string(count, '-') + "1\n" + "z" + std::string(count, '<') + "\n";
+}
+
+/// Many words on one line, which could be a vector until its last.
+std::string longLine(std::size_t bytes)
+{
+    std::string text(head);
+    text += "far";
+    while (text.size() < bytes) {
+        text += " nan 12.5,";
+    }
+    return text + "\n<$>. [t.1] o0\n";
+}
+
+/// One name and one number, each half of the text.
+std::string longWords(std::size_t bytes)
+{
+    return std::string(head) + std::string(bytes / 2, 'n') + " 1 2 " + std::string(bytes / 2, '9')
+        + "\n<$>. [t.1] o0\n";
+}
+
+std::string longComment(std::size_t bytes)
+{
+    return "# " + std::string(bytes, '#') + "\n" + std::string(head) + "<$>. [t.1] o0\n";
+}
+
+/// Names that differ only at their ends.
+std::string samePrefix(std::size_t names)
+{
+    std::string text(head);
+    for (std::size_t i = 0; i < names; ++i) {
+        add(text, "the_same_beginning_of_quite_some_length_for_every_name_{0:08}. [t.1] o0\n", i);
+    }
+    return text + "<$>. [t.1] o0\n";
+}
+
+/// One name declared again and again, a vector name repeated, and a use of each.
+std::string sameName(std::size_t lines)
+{
+    std::string text(head);
+    for (std::size_t i = 0; i < lines / 3; ++i) {
+        text += "again 1 2 3\no1. [t.again] o0\no1. o1\n";
+    }
+    return text + "<$>. [t.1] o0\n";
+}
+
+/// An error on every line, of several kinds.
+std::string errors(std::size_t lines)
+{
+    static constexpr std::string_view kinds[] = {
+        "a 1 2\n",         "b. [none] o0\n", "c. (#, #)\n",    "d<>. o0\n", "1e 2 3 4\n",     "f 1 2,5 3\n",
+        "g. [t.1.2] o0\n", "h. [t.99] o0\n", "i. \"x.png\"\n", "j. ]\n",    "k. none 99x9\n", "\xFF\xC3\xA4 \xE2\x82\n",
+    };
+    std::string text(head);
+    for (std::size_t i = 0; i < lines; ++i) {
+        text += kinds[i % std::size(kinds)];
+    }
+    return text + "<$>. [t.1] o0\n";
+}
+
+constexpr TextShape shapes[] = {
+    {"person", person, 2'500, 100'000, true},
+    {"chained", chained, 5'000, 100'000, true},
+    {"recursives", recursives, 2'500, 100'000, true},
+    {"one-set", oneSet, 5'000, 200'000, true},
+    {"many-sets", manySets, 5'000, 100'000, true},
+    {"open-brackets", openBrackets, 300'000, 1'000'000, false},
+    {"long-line", longLine, 300'000, 1'000'000, false},
+    {"long-words", longWords, 300'000, 1'000'000, false},
+    {"long-comment", longComment, 1'500'000, 50'000'000, true},
+    {"same-prefix", samePrefix, 2'500, 100'000, false}, // nothing uses them
+    {"same-name", sameName, 5'000, 100'000, false},
+    {"errors", errors, 5'000, 100'000, false},
+};
+
+}
+
+std::span<const TextShape> textShapes()
+{
+    return shapes;
+}
+
+const TextShape *findTextShape(std::string_view name)
+{
+    const auto found = std::ranges::find(shapes, name, &TextShape::name);
+    return found == std::end(shapes) ? nullptr : found;
+}
+
+}
