@@ -7,7 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "texts.h"
 
 using namespace romanesco;

@@ -8,7 +8,7 @@
 
 #include <pthread.h>
 
-#include "core/formats/fdoresolver.h"
+#include "core/formats/fdoreader.h"
 #include "tests/bench/texts.h"
 
 using namespace romanesco;
