@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include <algorithm>
 #include <format>
 #include <limits>
 #include <utility>
@@ -31,6 +30,7 @@ public:
     {
         for (std::size_t i = 0; i < m_syntax.lineCount(); ++i) {
             m_line = static_cast<std::uint32_t>(i);
+            m_isTold = false;
             const FdoLine &line = m_syntax.line(i);
             std::visit([&](const auto &node) { declare(node, line.isBad); }, line.declaration);
         }
@@ -49,7 +49,23 @@ private:
     /// In the line that is looked at.
     Diagnostic &report(DiagnosticCode code, LineRange range, std::vector<std::string> arguments = {})
     {
+        m_isTold = m_isTold || severity(code) == Severity::Error;
         return reportInText(code, inText(range), std::move(arguments));
+    }
+
+    /// Whether all are good. One error a line is told: after it the rest is left alone, but what is silently bad does not
+    /// hide what follows.
+    template<typename List, typename IsGood>
+    bool areGood(const List &list, IsGood isGood)
+    {
+        bool all = true;
+        for (const auto &entry : list) {
+            all = isGood(entry) && all;
+            if (m_isTold) {
+                return false;
+            }
+        }
+        return all;
     }
 
     [[nodiscard]] SourceRange inText(LineRange range) const { return m_syntax.range(m_line, range); }
@@ -175,12 +191,11 @@ private:
                     .notes.push_back(declaredHere(known.line));
             }
         }
-        for (std::size_t i = 0; i < entry.parts.size(); ++i) {
-            if (node.results[i] && !resolvePart(node, *node.results[i], entry.parts[i])) {
-                return false;
-            }
-        }
-        return true;
+        PartSource *part = entry.parts.data();
+        return areGood(node.results, [&](const std::optional<VectorReference> &result) {
+            PartSource &source = *part++;
+            return !result || resolvePart(node, *result, source);
+        });
     }
 
     bool resolvePart(const TransformationDeclaration &node, const VectorReference &reference, PartSource &part)
@@ -291,21 +306,22 @@ private:
             return false;
         }
         std::uint32_t vector = 0;
-        return std::ranges::all_of(use.arguments,
-                                   [&](const VectorReference &argument) { return findVector(argument, vector); });
+        return areGood(use.arguments, [&](const VectorReference &argument) { return findVector(argument, vector); });
     }
 
     bool resolveValue(const Value &value, ObjectNode &object)
     {
-        for (std::uint32_t i = 0; i < value.sets.size(); ++i) {
-            m_model.sets.push_back({m_line, i});
-            if (!std::ranges::all_of(value.sets[i].uses, [&](const auto &use) { return checkUse(use); })) {
-                return false;
-            }
+        std::uint32_t index = 0;
+        const bool areSetsGood = areGood(value.sets, [&](const SetExpression &set) {
+            m_model.sets.push_back({m_line, index++});
+            return areGood(set.uses, [&](const TransformationUse &use) { return checkUse(use); });
+        });
+        if (m_isTold) {
+            return false;
         }
         object.endSet = static_cast<SetId>(m_model.sets.size());
         object.isMesh = value.isMesh;
-        return value.isMesh || resolveInner(value, object);
+        return (value.isMesh || resolveInner(value, object)) && areSetsGood;
     }
 
     bool resolveInner(const Value &value, ObjectNode &object)
@@ -423,6 +439,8 @@ private:
     FdoModel m_model;
     bool m_hasText = true;
     std::uint32_t m_line = 0;
+    /// Whether an error of this line was reported.
+    bool m_isTold = false;
 };
 
 }
