@@ -10,8 +10,6 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
-#include "core/fractal/extent.h"
-
 namespace romanesco {
 
 namespace {
@@ -49,7 +47,7 @@ Camera fittedCamera(Camera camera, const Scene &scene, double aspect)
     // How far the scene reaches along a direction in the camera's axes, from its middle.
     const auto reach = [&](const glm::dvec3 &direction) {
         const glm::dvec3 inWorld = camera.worldFromCamera * direction;
-        return reachAlong(scene.graph, *scene.mesh, inWorld) - glm::dot(inWorld, middle);
+        return reachAlong(scene.items, inWorld) - glm::dot(inWorld, middle);
     };
     if (camera.projection == Projection::Orthographic) {
         const glm::dvec2 most(reach({1, 0, 0}), reach({0, 1, 0}));

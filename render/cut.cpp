@@ -32,13 +32,12 @@ double frobeniusNorm(const glm::dmat3 &matrix)
 
 Projector::Projector(const Camera &camera, const Scene &scene, int width, int height)
     : projection(camera.projection)
+    , position(camera.position)
 {
     const double size = glm::length(scene.extent.size());
     const double distance = glm::distance(camera.position, scene.extent.centre());
     unit = std::max({size, distance, std::numeric_limits<double>::min()});
-    cameraFromWorld.linear = glm::transpose(camera.worldFromCamera) / unit;
-    cameraFromWorld.translation = -(cameraFromWorld.linear * camera.position);
-    near = 1e-5;
+    cameraFromWorld = glm::transpose(camera.worldFromCamera) / unit;
     range = (distance + size) / unit;
     const bool isPerspective = projection == Projection::Perspective;
     scaleY = isPerspective ? 1.0 / std::tan(0.5 * camera.fieldOfView * std::numbers::pi / 180.0)
@@ -47,14 +46,18 @@ Projector::Projector(const Camera &camera, const Scene &scene, int width, int he
     pixels = 0.5 * scaleY * height;
 }
 
-Cut::Cut(const Scene &scene)
-    : m_scene(scene)
-    , m_table(scene.graph)
-    , m_projector({}, scene, 1, 1)
+AffineMap Projector::cameraFrom(const AffineMap &worldFromModel) const
+{
+    return {cameraFromWorld * worldFromModel.linear, cameraFromWorld * (worldFromModel.translation - position)};
+}
+
+Cut::Cut(const Model &model)
+    : m_model(model)
+    , m_table(model.graph)
 {
 }
 
-void Cut::begin(const Projector &projector, double pixelTolerance)
+void Cut::begin(const Projector &projector, const AffineMap &worldFromModel, double pixelTolerance)
 {
     m_projector = projector;
     m_tolerance = std::max(pixelTolerance, leastTolerance);
@@ -75,12 +78,12 @@ void Cut::begin(const Projector &projector, double pixelTolerance)
                 side({0, 1, 0}, projector.scaleY), side({0, -1, 0}, projector.scaleY),
                 isPerspective ? Plane{{0, 0, 1}, -projector.near} : Plane{{0, 0, 1}, projector.range}};
 
-    const Sphere &base = m_scene.graph.base();
+    const Sphere &base = m_model.graph.base();
     if (base.isEmpty()) {
         return;
     }
-    const double norm = 1.0 / projector.unit;
-    const Node root{m_table.root(), allPlanes, projector.cameraFromWorld, norm};
+    const double norm = operatorNorm(worldFromModel.linear) / projector.unit;
+    const Node root{m_table.root(), allPlanes, projector.cameraFrom(worldFromModel), norm};
     const Sphere bound = transformed(root.map, norm, m_table.state(root.state).bound);
     unsigned planes = allPlanes;
     if (isOutside(bound, planes)) {
@@ -109,9 +112,20 @@ const std::vector<Instance> &Cut::next(std::size_t count)
     }
     m_handedOut = true;
     m_instances += m_ready.size();
-    m_memory = std::max(m_memory,
-                        m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_table.memoryUse());
+    m_memory = std::max(m_memory, memoryHeld());
     return m_ready;
+}
+
+std::size_t Cut::memoryHeld() const
+{
+    return m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_table.memoryUse();
+}
+
+void Cut::forget()
+{
+    m_table.forget();
+    m_open = {};
+    m_ready = {};
 }
 
 void Cut::visit(const Node &node)
@@ -137,7 +151,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
     if (isOutside(seen, planes)) {
         return;
     }
-    const FractalGraph &graph = m_scene.graph;
+    const FractalGraph &graph = m_model.graph;
     const AffineMap composed = node.map * graph.set(range.set).maps[map];
     if (isSmall(seen)) {
         place(composed, range.next, false);
@@ -151,7 +165,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
 /// the bound of all that, it is fitted into that bound: a last level may move or shrink it far.
 void Cut::place(const AffineMap &map, StateId state, bool isWhole)
 {
-    const Sphere &base = m_scene.graph.base();
+    const Sphere &base = m_model.graph.base();
     glm::dvec3 centre = base.centre;
     double radius = base.radius;
     if (!isWhole) {

@@ -22,24 +22,30 @@ static_assert(sizeof(Instance) == 48);
 /// How a camera maps what it sees to the screen, in units in which the scene and its distance are about 1, so that a
 /// scene of any size fits the card's floats.
 struct Projector {
+    Projector() = default;
     Projector(const Camera &camera, const Scene &scene, int width, int height);
 
-    Projection projection;
-    /// World to camera, in units of the view.
-    AffineMap cameraFromWorld;
-    double unit;
+    /// A model's own coordinates to the camera's, in units of the view. What is near the camera keeps its precision
+    /// however far from the origin both are.
+    [[nodiscard]] AffineMap cameraFrom(const AffineMap &worldFromModel) const;
+
+    Projection projection = Projection::Perspective;
+    /// The camera's place in the world, and the world's axes to the camera's in units of the view.
+    glm::dvec3 position{0.0};
+    glm::dmat3 cameraFromWorld{1.0};
+    double unit = 1.0;
     /// Clip x and y for each unit sideways: at distance 1 for perspective.
-    double scaleX;
-    double scaleY;
+    double scaleX = 1.0;
+    double scaleY = 1.0;
     /// Perspective: nothing nearer is drawn. A hundred-thousandth of the scene's size and distance.
-    double near;
+    double near = 1e-5;
     /// Orthographic: depth runs over ±range.
-    double range;
+    double range = 1.0;
     /// Pixels for each unit sideways, at distance 1 for perspective.
-    double pixels;
+    double pixels = 1.0;
 };
 
-/// The copies to draw for a view: the graph walked from its root with camera-relative maps in double; what is outside
+/// The copies of a model to draw for a view: the graph walked from its root with camera-relative maps in double; what is outside
 /// the view is dropped, and where a bound is smaller on the screen than the tolerance, one base mesh stands for all
 /// below. Where maps contract, its cost follows what is seen, about (pixels / tolerance)^dimension, whatever the number
 /// of instances. (Copies of one size, or many at one place, are all drawn that are in view.)
@@ -48,11 +54,12 @@ struct Projector {
 class Cut
 {
 public:
-    /// scene must outlive the cut.
-    explicit Cut(const Scene &scene);
+    /// model must outlive the cut.
+    explicit Cut(const Model &model);
 
-    /// Starts over. A tolerance of 0 gives every instance that is in view and larger than a millionth of a pixel.
-    void begin(const Projector &projector, double pixelTolerance);
+    /// Starts over, with the model at a place in the world: any affine map. A tolerance of 0 gives every instance that is
+    /// in view and larger than a millionth of a pixel.
+    void begin(const Projector &projector, const AffineMap &worldFromModel, double pixelTolerance);
 
     /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
     /// walked without finding any, so that each call is short. The reference holds until the next call.
@@ -65,6 +72,10 @@ public:
     [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }
     /// Greatest number of bytes held since begin().
     [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
+    /// Bytes held now.
+    [[nodiscard]] std::size_t memoryHeld() const;
+    /// Gives back what was made; begin() comes next.
+    void forget();
 
 private:
     /// A copy of a state that is in view and too large to stand as one.
@@ -88,7 +99,7 @@ private:
     [[nodiscard]] bool isSmall(const Sphere &sphere) const;
     void forgetStates();
 
-    const Scene &m_scene;
+    const Model &m_model;
     StateTable m_table;
     std::vector<Node> m_open;
     std::vector<Instance> m_ready;

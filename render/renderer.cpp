@@ -7,13 +7,15 @@
 #include <cmath>
 #include <cstring>
 #include <format>
+#include <map>
 #include <optional>
+#include <set>
 
 #include <epoxy/gl.h>
-#include <glm/geometric.hpp>
 
-#include "cut.h"
 #include "glresources.h"
+#include "gpumesh.h"
+#include "scenecut.h"
 #include "shaders.h"
 
 namespace romanesco {
@@ -92,13 +94,10 @@ public:
         m_statistics = {};
         if (m_scene != m_nextScene) {
             m_cut.reset();
-            const bool hasNewMesh = m_nextScene && (!m_scene || m_scene->mesh != m_nextScene->mesh);
             m_scene = m_nextScene;
+            uploadMeshes();
             if (m_scene) {
                 m_cut.emplace(*m_scene);
-            }
-            if (hasNewMesh) {
-                uploadMesh(*m_scene->mesh, m_scene->graph.base());
             }
         }
         if (m_pass.width != view.width || m_pass.height != view.height) {
@@ -175,7 +174,7 @@ public:
     {
         DrawStatistics statistics = m_statistics;
         statistics.bufferBytes = chunkSize * chunkCount * sizeof(Instance) + m_meshBytes;
-        statistics.graphBytes = m_cut ? m_cut->memoryUse() + m_scene->graph.memoryUse() : 0;
+        statistics.graphBytes = m_cut ? m_cut->memoryUse() + m_graphBytes : 0;
         return statistics;
     }
 
@@ -217,27 +216,29 @@ private:
         glVertexArrayVertexBuffer(m_array, instanceBinding, m_ring, 0, sizeof(Instance));
     }
 
-    /// In units of the sphere round the mesh, so that floats suffice wherever the mesh lies and however large it is.
-    void uploadMesh(const Mesh &mesh, const Sphere &base)
+    /// Those of the scene that are not on the card yet; all others go.
+    void uploadMeshes()
     {
-        std::vector<std::array<float, 3>> vertices;
-        vertices.reserve(mesh.vertices.size());
-        const double scale = base.radius > 0.0 ? 1.0 / base.radius : 1.0;
-        for (const glm::dvec3 &vertex : mesh.vertices) {
-            const glm::dvec3 unit = (vertex - base.centre) * scale;
-            vertices.push_back({static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)});
+        std::map<std::shared_ptr<const Mesh>, GpuMesh> meshes;
+        m_meshBytes = 0;
+        m_graphBytes = 0;
+        std::set<std::shared_ptr<const Model>> models;
+        if (m_scene) {
+            for (const SceneItem &item : m_scene->items) {
+                models.insert(item.model);
+            }
         }
-        const std::size_t vertexBytes = vertices.size() * sizeof(vertices[0]);
-        const std::size_t faceBytes = mesh.faces.size() * sizeof(mesh.faces[0]);
-        m_vertices = makeBuffer();
-        glNamedBufferStorage(m_vertices, static_cast<GLsizeiptr>(vertexBytes), vertices.data(), 0);
-        m_faces = makeBuffer();
-        glNamedBufferStorage(m_faces, static_cast<GLsizeiptr>(faceBytes), mesh.faces.data(), 0);
-        glVertexArrayVertexBuffer(m_array, 0, m_vertices, 0, sizeof(vertices[0]));
-        glVertexArrayElementBuffer(m_array, m_faces);
-        m_indexCount = static_cast<GLsizei>(mesh.faces.size() * 3);
-        m_meshBytes = vertexBytes + faceBytes;
-        m_copiesPerDraw = std::clamp<std::size_t>(mostFaces / (mesh.faces.size() + 1), 1, chunkSize);
+        for (const std::shared_ptr<const Model> &model : models) {
+            m_graphBytes += model->graph.memoryUse();
+            const auto [place, isNew] = meshes.try_emplace(model->mesh);
+            if (isNew) {
+                const auto known = m_meshes.find(model->mesh);
+                place->second =
+                    known != m_meshes.end() ? std::move(known->second) : upload(*model->mesh, model->graph.base());
+                m_meshBytes += place->second.bytes;
+            }
+        }
+        m_meshes = std::move(meshes);
     }
 
     // ---- Passes
@@ -265,17 +266,19 @@ private:
             glFlush();
             return;
         }
-        const std::vector<Instance> &instances = m_cut->next(m_copiesPerDraw);
+        const GpuMesh &mesh = m_meshes.at(m_cut->model().mesh);
+        const std::size_t copiesPerDraw = std::clamp<std::size_t>(mostFaces / (mesh.faceCount + 1), 1, chunkSize);
+        const std::vector<Instance> &instances = m_cut->next(copiesPerDraw);
         if (instances.empty()) {
             return;
         }
-        bindForDrawing();
-        for (std::size_t at = 0; at < instances.size(); at += m_copiesPerDraw) {
-            const std::size_t count = std::min(m_copiesPerDraw, instances.size() - at);
+        bindForDrawing(mesh);
+        for (std::size_t at = 0; at < instances.size(); at += copiesPerDraw) {
+            const std::size_t count = std::min(copiesPerDraw, instances.size() - at);
             GLsync &fence = m_chunkFences[m_chunk];
             waitFor(fence);
             std::memcpy(m_mapped + m_chunk * chunkSize, instances.data() + at, count * sizeof(Instance));
-            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, m_indexCount, GL_UNSIGNED_INT, nullptr,
+            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.indexCount, GL_UNSIGNED_INT, nullptr,
                                                 static_cast<GLsizei>(count), static_cast<GLuint>(m_chunk * chunkSize));
             fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
             m_chunk = (m_chunk + 1) % chunkCount;
@@ -292,7 +295,7 @@ private:
         fence = nullptr;
     }
 
-    void bindForDrawing() const
+    void bindForDrawing(const GpuMesh &mesh) const
     {
         glBindFramebuffer(GL_FRAMEBUFFER, m_pass.framebuffer);
         glViewport(0, 0, m_pass.width, m_pass.height);
@@ -313,6 +316,8 @@ private:
         glUniform1i(2, m_projector->projection == Projection::Perspective);
         glUniform1f(3, asFloat(m_projector->near));
         glUniform1f(4, asFloat(m_projector->range));
+        glVertexArrayVertexBuffer(m_array, 0, mesh.vertices, 0, 3 * sizeof(GLfloat));
+        glVertexArrayElementBuffer(m_array, mesh.faces);
         glBindVertexArray(m_array);
     }
 
@@ -363,7 +368,7 @@ private:
 
     std::shared_ptr<const Scene> m_scene;
     std::shared_ptr<const Scene> m_nextScene;
-    std::optional<Cut> m_cut;
+    std::optional<SceneCut> m_cut;
     std::optional<Projector> m_projector;
     View m_view;
     std::string m_error;
@@ -379,11 +384,9 @@ private:
     GlProgram m_presentProgram;
     GlVertexArray m_array;
     GlVertexArray m_emptyArray;
-    GlBuffer m_vertices;
-    GlBuffer m_faces;
-    GLsizei m_indexCount = 0;
+    std::map<std::shared_ptr<const Mesh>, GpuMesh> m_meshes;
     std::size_t m_meshBytes = 0;
-    std::size_t m_copiesPerDraw = chunkSize;
+    std::size_t m_graphBytes = 0;
     GlBuffer m_ring;
     Instance *m_mapped = nullptr;
     std::array<GLsync, chunkCount> m_chunkFences{};

@@ -57,7 +57,7 @@ public:
     Renderer(const Renderer &) = delete;
     Renderer &operator=(const Renderer &) = delete;
 
-    /// What the next begin() draws; null for nothing but the background. A mesh that stays is not uploaded again.
+    /// What the next begin() draws; null for nothing but the background. Meshes that stay are not uploaded again.
     void setScene(std::shared_ptr<const Scene> scene);
 
     /// Starts a picture and drops the one under way. What was finished stays to be presented until the first sample of

@@ -26,7 +26,7 @@ std::string place(const glm::dvec3 &v)
 
 std::string levelText(const Summary &summary)
 {
-    std::string text = std::to_string(summary.levelCount);
+    std::string text = std::to_string(*summary.levelCount);
     for (std::size_t i = 0; i < summary.levelSizes.size(); ++i) {
         if (i == mostSizesShown) {
             return text + " × …";
@@ -39,8 +39,9 @@ std::string levelText(const Summary &summary)
 void printText(const Input &input, const Summary &summary)
 {
     const Scene &scene = *input.scene;
-    const std::string base = scene.meshPath.empty() ? "" : scene.meshPath + ", ";
-    std::println("base         {}{} faces", base, summary.facesPerBase);
+    const Model &model = *scene.items.front().model;
+    const std::string base = model.meshPath.empty() ? "" : model.meshPath + ", ";
+    std::println("base         {}{} faces", base, *summary.facesPerBase);
     std::println("levels       {}", levelText(summary));
     if (summary.iteration) {
         std::println("iteration    {} transformations, depth {}", summary.iteration->transforms,
@@ -54,10 +55,10 @@ void printText(const Input &input, const Summary &summary)
         std::println("scales       {:.6g} to {:.6g}: {}", summary.contraction->least, summary.contraction->greatest,
                      summary.isContracting ? "contracting" : "not contracting");
     }
-    const Sphere bound = scene.graph.bound(0);
+    const Sphere bound = boundingSphere(scene);
     std::println("bounds       {} to {}", place(scene.extent.least), place(scene.extent.greatest));
     std::println("             within {:.6g} of {}", bound.radius, place(bound.centre));
-    std::println("storage      {} bytes of text, {} bytes as a graph", input.sourceBytes, scene.graph.memoryUse());
+    std::println("storage      {} bytes of text, {} bytes as a graph", input.sourceBytes, model.graph.memoryUse());
 }
 
 QJsonArray json(const glm::dvec3 &v)
@@ -79,8 +80,8 @@ QJsonObject json(const Input &input, const Summary &summary)
         levels.append(static_cast<qint64>(size));
     }
     QJsonObject object;
-    object[QStringLiteral("base")] = QString::fromStdString(scene.meshPath);
-    object[QStringLiteral("faces_per_base")] = static_cast<qint64>(summary.facesPerBase);
+    object[QStringLiteral("base")] = QString::fromStdString(scene.items.front().model->meshPath);
+    object[QStringLiteral("faces_per_base")] = static_cast<qint64>(*summary.facesPerBase);
     const bool hasSizes = summary.levelSizes.size() == summary.levelCount;
     object[QStringLiteral("levels")] = hasSizes ? QJsonValue(levels) : QJsonValue();
     object[QStringLiteral("transforms_per_iteration")] =
@@ -96,7 +97,7 @@ QJsonObject json(const Input &input, const Summary &summary)
         ? QJsonValue(QJsonObject{{QStringLiteral("min"), summary.contraction->least},
                                  {QStringLiteral("max"), summary.contraction->greatest}})
         : QJsonValue();
-    const Sphere bound = scene.graph.bound(0);
+    const Sphere bound = boundingSphere(scene);
     object[QStringLiteral("bounds")] = QJsonObject{{QStringLiteral("centre"), json(bound.centre)},
                                                    {QStringLiteral("radius"), bound.radius},
                                                    {QStringLiteral("min"), json(scene.extent.least)},

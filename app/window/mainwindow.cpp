@@ -302,7 +302,7 @@ bool MainWindow::saveFile(const QString &path)
 void MainWindow::takeMeshAlong(const QString &textPath)
 {
     const std::shared_ptr<const Scene> &scene = m_preview.lastGoodScene();
-    const QString mesh = scene ? QString::fromStdString(scene->meshPath) : QString();
+    const QString mesh = scene ? QString::fromStdString(scene->items.front().model->meshPath) : QString();
     const QString target = QFileInfo(textPath).dir().filePath(mesh);
     QFile source(examplesFolder + u'/' + mesh);
     if (mesh.isEmpty() || mesh.contains(u'/') || QFileInfo::exists(target) || !source.open(QIODevice::ReadOnly)) {

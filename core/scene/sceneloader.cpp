@@ -43,8 +43,10 @@ SceneResult SceneLoader::load(const std::filesystem::path &path, std::string_vie
             result.diagnostics.push_back({DiagnosticCode::Overflow, graph.error(), {}});
         } else if (!stop.stop_requested() && !hasErrors(result.diagnostics)) {
             const Box box = extent(*graph, *mesh);
-            result.scene = std::make_shared<const Scene>(
-                Scene{mesh, std::move(*graph), box, description.meshPath, description.depth});
+            Scene scene =
+                sceneOf(std::make_shared<const Model>(Model{mesh, std::move(*graph), box, description.meshPath}));
+            scene.depth = description.depth;
+            result.scene = std::make_shared<const Scene>(std::move(scene));
         }
     }
     sortByPlace(result.diagnostics);
@@ -70,7 +72,9 @@ SceneResult SceneLoader::loadObj(std::string_view text)
     }
     FractalGraph graph = FractalGraph::ofMesh(base);
     const Box box = extent(graph, *mesh);
-    result.scene = std::make_shared<const Scene>(Scene{mesh, std::move(graph), box, {}, std::nullopt});
+    Scene scene = sceneOf(std::make_shared<const Model>(Model{mesh, std::move(graph), box, {}}));
+    scene.items.front().kind = SceneDescription::Kind::Object;
+    result.scene = std::make_shared<const Scene>(std::move(scene));
     return result;
 }
 

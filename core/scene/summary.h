@@ -12,11 +12,12 @@
 
 namespace romanesco {
 
-/// The numbers that `romanesco info` and the status bar show of a scene.
+/// The numbers that `romanesco info` and the status bar show of a scene: those of its only item, or the sums of several.
 struct Summary {
-    std::uint64_t facesPerBase = 0;
-    Position levelCount = 0;
-    /// The sizes of all levels, outermost first, `#` counted; empty beyond 1,000 levels.
+    /// Nothing where there are several items, or none: they have no base mesh and no levels in common.
+    std::optional<std::uint64_t> facesPerBase;
+    std::optional<Position> levelCount;
+    /// The sizes of all levels, outermost first, `#` counted; empty beyond 1,000 levels, or where there is no count.
     std::vector<std::uint64_t> levelSizes;
 
     /// Where the fractal is one iteration repeated round a bare mesh: its levels' sizes multiplied, and the depth.
@@ -41,6 +42,9 @@ struct Summary {
     std::optional<Contraction> contraction;
 };
 
+[[nodiscard]] Summary summarise(const Model &model);
+
+/// Items that share a model are counted each; every model is looked at once.
 [[nodiscard]] Summary summarise(const Scene &scene);
 
 }

@@ -48,4 +48,23 @@ inline std::shared_ptr<const Scene> sceneOf(const std::string &text,
     return SceneLoader(files).load("test.fdo", text).scene;
 }
 
+/// The model of such a scene.
+inline std::shared_ptr<const Model> modelOf(const std::string &text,
+                                            const std::string &mesh = boxObj({-1, -1, -1}, {1, 1, 1}))
+{
+    return sceneOf(text, mesh)->items.at(0).model;
+}
+
+/// A scene of such models, each at its place.
+inline std::shared_ptr<const Scene>
+assembled(const std::vector<std::pair<std::shared_ptr<const Model>, AffineMap>> &items)
+{
+    Scene scene;
+    for (const auto &[model, worldFromModel] : items) {
+        scene.items.push_back({.model = model, .worldFromModel = worldFromModel});
+    }
+    scene.extent = extentOf(scene.items);
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
 }

@@ -53,7 +53,7 @@ private Q_SLOTS:
         camera.projection = isPerspective ? Projection::Perspective : Projection::Orthographic;
         camera = fittedCamera(camera, *scene, aspect);
         double reach = 0.0;
-        for (const glm::dvec3 &vertex : scene->mesh->vertices) {
+        for (const glm::dvec3 &vertex : scene->items.front().model->mesh->vertices) {
             const glm::dvec3 p = onScreen(camera, vertex, aspect);
             QVERIFY(p.z > 0.0);
             reach = std::max({reach, std::abs(p.x), std::abs(p.y)});

@@ -31,7 +31,7 @@ std::string sierpinski(const std::string &depth)
 std::vector<Instance> wholeCut(Cut &cut, const Projector &projector, double tolerance)
 {
     std::vector<Instance> all;
-    cut.begin(projector, tolerance);
+    cut.begin(projector, AffineMap{}, tolerance);
     while (!cut.isComplete()) {
         const std::vector<Instance> &some = cut.next(1'000);
         all.insert(all.end(), some.begin(), some.end());
@@ -39,9 +39,15 @@ std::vector<Instance> wholeCut(Cut &cut, const Projector &projector, double tole
     return all;
 }
 
+/// Of a scene of one item.
+const Model &modelOf(const std::shared_ptr<const Scene> &scene)
+{
+    return *scene->items.at(0).model;
+}
+
 std::vector<Instance> wholeCut(const Scene &scene, const Camera &camera, double tolerance)
 {
-    Cut cut(scene);
+    Cut cut(*scene.items.at(0).model);
     return wholeCut(cut, Projector(camera, scene, width, height), tolerance);
 }
 
@@ -78,7 +84,7 @@ private Q_SLOTS:
         };
         const auto use = [](const std::string &depth) {
             const auto scene = test::sceneOf(sierpinski(depth));
-            Cut cut(*scene);
+            Cut cut(modelOf(scene));
             wholeCut(cut, Projector(fittedCamera(*scene, double(width) / height), *scene, width, height), 1.0);
             return Use{cut.instanceCount(), cut.statesVisited(), cut.memoryUse()};
         };
@@ -194,8 +200,8 @@ private Q_SLOTS:
         const auto scene =
             test::sceneOf("v 1 0 0\nv 0 1 0\nx. \"box.obj\"\nk.p. (p, #, #)\nz<x>. [k.1, k.2] x\n<$>. z 60000\n");
         QVERIFY(scene);
-        Cut cut(*scene);
-        cut.begin(Projector(fittedCamera(*scene, 1.0), *scene, width, height), 1.0);
+        Cut cut(modelOf(scene));
+        cut.begin(Projector(fittedCamera(*scene, 1.0), *scene, width, height), AffineMap{}, 1.0);
         for (int call = 0; call < 20; ++call) {
             const std::uint64_t before = cut.statesVisited();
             const std::vector<Instance> &some = cut.next(1'000);
@@ -210,13 +216,13 @@ private Q_SLOTS:
     {
         const auto scene = test::sceneOf("v 1e-6 0 0\nx. \"box.obj\"\nk.p. (p, #, #)\nz<x>. [k.1] x\n<$>. z 1000000\n");
         QVERIFY(scene);
-        Cut cut(*scene);
+        Cut cut(modelOf(scene));
         const Projector projector(fittedCamera(*scene, double(width) / height), *scene, width, height);
         const std::vector<Instance> drawn = wholeCut(cut, projector, 1.0);
         QCOMPARE(drawn.size(), std::size_t(1));
         QVERIFY(cut.memoryUse() < 64'000'000);
         // The end of the chain is at (1, 0, 0).
-        const glm::dvec3 end = projector.cameraFromWorld(glm::dvec3(1, 0, 0));
+        const glm::dvec3 end = projector.cameraFrom(AffineMap{})(glm::dvec3(1, 0, 0));
         QVERIFY(std::abs(double(drawn[0].rows[0][3]) - end.x) < 1e-5);
     }
 };

@@ -84,7 +84,8 @@ int main()
                 std::this_thread::yield();
             }
             if (const std::shared_ptr<const Scene> scene = snapshot().second) {
-                require(instancesDistinct(scene->graph).has_value(), "a scene can be read while others are made");
+                require(instancesDistinct(scene->items.front().model->graph).has_value(),
+                        "a scene can be read while others are made");
             }
         }
     }

@@ -28,6 +28,12 @@ QString remarks(const SceneResult &result, std::string_view text)
     return all.join(QLatin1Char('\n'));
 }
 
+/// Of a scene of one item.
+const Model &modelOf(const std::shared_ptr<const Scene> &scene)
+{
+    return *scene->items.at(0).model;
+}
+
 const std::string good = "v 1 0 0\nhalf 0.5 0.5 0.5\nt. (1, #, half)\nx. \"x.obj\"\nz<x>. [#, t] x\n<$>. z 6\n";
 
 }
@@ -59,9 +65,9 @@ void TestSceneLoader::aGoodTextBecomesAScene()
     const SceneResult result = loader.load("a.fdo", good);
     QVERIFY(result.diagnostics.empty());
     QVERIFY(result.scene);
-    QCOMPARE(result.scene->meshPath, "x.obj");
-    QCOMPARE(result.scene->mesh->faces.size(), 1u);
-    QCOMPARE(result.scene->graph.levels().levelCount(), Position(6));
+    QCOMPARE(modelOf(result.scene).meshPath, "x.obj");
+    QCOMPARE(modelOf(result.scene).mesh->faces.size(), 1u);
+    QCOMPARE(modelOf(result.scene).graph.levels().levelCount(), Position(6));
     QCOMPARE(result.scene->depth->value, 6u);
     // Six times towards 2: from 0 to 2 - 2/64 + 1/64.
     QVERIFY(std::abs(result.scene->extent.greatest.x - (2 - 1.0 / 64)) < 1e-12);
@@ -160,11 +166,11 @@ void TestSceneLoader::aTextThatChangesKeepsItsMesh()
     const auto first = loader.load("a.fdo", good).scene;
     const auto second = loader.load("a.fdo", "# another comment\n" + good).scene;
     QVERIFY(first && second && first != second);
-    QCOMPARE(first->mesh.get(), second->mesh.get());
+    QCOMPARE(modelOf(first).mesh.get(), modelOf(second).mesh.get());
 
     // Even after a text that has no scene.
     QVERIFY(!loader.load("a.fdo", "x. \"x.obj\"\n<$>. [").scene);
-    QCOMPARE(loader.load("a.fdo", good).scene->mesh.get(), first->mesh.get());
+    QCOMPARE(modelOf(loader.load("a.fdo", good).scene).mesh.get(), modelOf(first).mesh.get());
 }
 
 void TestSceneLoader::aMeshThatChangesIsReadAnew()
@@ -174,12 +180,12 @@ void TestSceneLoader::aMeshThatChangesIsReadAnew()
     const auto first = loader.load("a.fdo", good).scene;
     files.put("x.obj", triangleObj + "f 3 2 1\n");
     const auto second = loader.load("a.fdo", good).scene;
-    QCOMPARE(first->mesh->faces.size(), 1u); // the old scene is as it was
-    QCOMPARE(second->mesh->faces.size(), 2u);
+    QCOMPARE(modelOf(first).mesh->faces.size(), 1u); // the old scene is as it was
+    QCOMPARE(modelOf(second).mesh->faces.size(), 2u);
     files.put("x.obj", "f 1 2 3");
     QVERIFY(!loader.load("a.fdo", good).scene);
     files.put("x.obj", triangleObj);
-    QCOMPARE(loader.load("a.fdo", good).scene->mesh->faces.size(), 1u);
+    QCOMPARE(modelOf(loader.load("a.fdo", good).scene).mesh->faces.size(), 1u);
 }
 
 void TestSceneLoader::errorsLeaveNoScene()
@@ -197,7 +203,7 @@ void TestSceneLoader::objTextsAreScenesToo()
     SceneLoader loader(files);
     const SceneResult mesh = loader.load("dir/X.OBJ", triangleObj);
     QVERIFY(mesh.scene);
-    QCOMPARE(mesh.scene->graph.levels().levelCount(), Position(0));
+    QCOMPARE(modelOf(mesh.scene).graph.levels().levelCount(), Position(0));
     QVERIFY(mesh.scene->extent.greatest == glm::dvec3(1, 1, 0));
     QVERIFY(!mesh.scene->depth);
     QCOMPARE(files.reads(), 0);

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "cut.h"
+
+namespace romanesco {
+
+/// The copies to draw of a whole scene: the cuts of its items, one after another in the order of the scene. Items that
+/// share a model share the states that were made of it. One thread.
+class SceneCut
+{
+public:
+    /// scene must outlive it.
+    explicit SceneCut(const Scene &scene);
+
+    /// Starts over (see Cut::begin()).
+    void begin(const Projector &projector, double pixelTolerance);
+
+    /// Nothing is left to be found.
+    [[nodiscard]] bool isComplete() const { return m_item == m_scene.items.size(); }
+    /// The model whose copies come next, unless isComplete().
+    [[nodiscard]] const Model &model() const { return *m_scene.items[m_item].model; }
+    /// The next copies of model(), about `count` of them, fewer or none (see Cut::next()). The reference holds until the
+    /// next call.
+    [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
+
+    /// Since begin(), of all items.
+    [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
+    [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }
+    /// Greatest number of bytes held since begin().
+    [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
+
+private:
+    void finishItem();
+
+    /// What is drawn of a model, and the bytes that its cut held when it was looked at last.
+    struct Part {
+        Cut cut;
+        std::size_t bytes = 0;
+    };
+
+    const Scene &m_scene;
+    std::vector<Part> m_parts;
+    /// By item, its model's.
+    std::vector<std::size_t> m_partOf;
+    std::size_t m_item = 0;
+    bool m_isItemBegun = false;
+    Projector m_projector;
+    double m_tolerance = 1.0;
+    std::uint64_t m_instances = 0;
+    std::uint64_t m_visited = 0;
+    std::size_t m_bytes = 0;
+    std::size_t m_memory = 0;
+};
+
+}
