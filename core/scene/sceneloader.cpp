@@ -2,58 +2,27 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "sceneloader.h"
 
-#include <algorithm>
 #include <cmath>
-#include <format>
+#include <utility>
 
-#include "core/formats/fdoreader.h"
+#include <glm/geometric.hpp>
+
+#include "core/formats/lineparser.h"
 #include "core/formats/objreader.h"
-#include "core/fractal/extent.h"
-#include "core/text/linemap.h"
+#include "core/formats/sdoreader.h"
 
 namespace romanesco {
 
-FileKind fileKind(const std::filesystem::path &path)
+namespace {
+
+/// Whether sizes and distances in a scene that reaches so far, and their squares, are numbers.
+bool isComputable(const glm::dvec3 &place, double radius)
 {
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    return ending == ".fdo" ? FileKind::Fdo : ending == ".obj" ? FileKind::Obj : FileKind::Other;
+    const double reach = glm::length(place) + radius;
+    return std::isfinite(100.0 * reach * reach);
 }
 
-SceneLoader::SceneLoader(const FileAccess &files)
-    : m_files(files)
-{
-}
-
-SceneResult SceneLoader::load(const std::filesystem::path &path, std::string_view text, std::stop_token stop)
-{
-    if (fileKind(path) == FileKind::Obj) {
-        return loadObj(text);
-    }
-    FdoResult read = readFdo(text);
-    SceneResult result{std::move(read.diagnostics), nullptr};
-    if (!read.description || stop.stop_requested()) {
-        return result;
-    }
-    const FractalDescription &description = *read.description;
-    const std::shared_ptr<const Mesh> mesh = loadMesh(path.parent_path(), description, result.diagnostics);
-    if (mesh && !stop.stop_requested()) {
-        auto graph = FractalGraph::build(description, boundingSphere(*mesh));
-        if (!graph) {
-            result.diagnostics.push_back({DiagnosticCode::Overflow, graph.error(), {}});
-        } else if (!stop.stop_requested() && !hasErrors(result.diagnostics)) {
-            const Box box = extent(*graph, *mesh);
-            Scene scene =
-                sceneOf(std::make_shared<const Model>(Model{mesh, std::move(*graph), box, description.meshPath}));
-            scene.depth = description.depth;
-            result.scene = std::make_shared<const Scene>(std::move(scene));
-        }
-    }
-    sortByPlace(result.diagnostics);
-    return result;
-}
-
-SceneResult SceneLoader::loadObj(std::string_view text)
+SceneResult loadObj(std::string_view text)
 {
     ObjResult read = readObj(text);
     SceneResult result{std::move(read.diagnostics), nullptr};
@@ -64,48 +33,103 @@ SceneResult SceneLoader::loadObj(std::string_view text)
         result.diagnostics.push_back({DiagnosticCode::MeshWithoutFaces, {0, 0}, {"the mesh"}});
         return result;
     }
-    auto mesh = std::make_shared<const Mesh>(std::move(read.mesh));
-    const Sphere base = boundingSphere(*mesh);
-    if (!std::isfinite(base.radius * base.radius)) {
+    auto model = modelOfMesh(std::make_shared<const Mesh>(std::move(read.mesh)));
+    if (!model) {
         result.diagnostics.push_back({DiagnosticCode::Overflow, {0, 0}, {}});
         return result;
     }
-    FractalGraph graph = FractalGraph::ofMesh(base);
-    const Box box = extent(graph, *mesh);
-    Scene scene = sceneOf(std::make_shared<const Model>(Model{mesh, std::move(graph), box, {}}));
+    Scene scene = sceneOf(std::move(model));
     scene.items.front().kind = SceneDescription::Kind::Object;
     result.scene = std::make_shared<const Scene>(std::move(scene));
     return result;
 }
 
-/// Errors of the mesh are errors at its path; the mesh's own place goes into the words.
-std::shared_ptr<const Mesh> SceneLoader::loadMesh(const std::filesystem::path &folder,
-                                                  const FractalDescription &description, Diagnostics &diagnostics)
+}
+
+FileKind fileKind(const std::filesystem::path &path)
 {
-    const auto fail = [&](DiagnosticCode code, std::vector<std::string> arguments) {
-        diagnostics.push_back({code, description.meshRange, std::move(arguments)});
-        return nullptr;
-    };
-    auto text = m_files.read(folder / description.meshPath);
-    if (!text) {
-        return fail(DiagnosticCode::CannotRead, {description.meshPath, text.error()});
+    const std::string ending = path.extension().string();
+    return hasEnding(ending, ".fdo") ? FileKind::Fdo
+        : hasEnding(ending, ".sdo")  ? FileKind::Sdo
+        : hasEnding(ending, ".obj")  ? FileKind::Obj
+                                     : FileKind::Other;
+}
+
+SceneLoader::SceneLoader(const FileAccess &files)
+    : m_library(files)
+{
+}
+
+SceneResult SceneLoader::load(const std::filesystem::path &path, std::string_view text, std::stop_token stop)
+{
+    m_library.beginRound();
+    switch (fileKind(path)) {
+    case FileKind::Obj:
+        return loadObj(text);
+    case FileKind::Sdo:
+        return loadSdo(path.parent_path(), text, stop);
+    case FileKind::Fdo:
+    case FileKind::Other:
+        break;
     }
-    if (m_mesh && *text == m_meshText) {
-        return m_mesh;
+    return loadFdo(path.parent_path(), text, stop);
+}
+
+SceneResult SceneLoader::loadFdo(const std::filesystem::path &folder, std::string_view text,
+                                 const std::stop_token &stop)
+{
+    ModelLibrary::Fractal fractal = m_library.fractal(folder, text, stop);
+    SceneResult result{std::move(fractal.diagnostics), nullptr};
+    if (fractal.namesItsMesh) {
+        m_library.dropUnused();
     }
-    ObjResult read = readObj(*text);
-    if (hasErrors(read.diagnostics)) {
-        const Diagnostic &first = read.diagnostics.front();
-        const TextPosition at = LineMap(*text).position(first.range.begin);
-        return fail(DiagnosticCode::BadMesh,
-                    {description.meshPath, std::format("line {}, column {}: {}", at.line, at.column, first.message())});
+    if (fractal.model) {
+        Scene scene = sceneOf(std::move(fractal.model));
+        scene.depth = fractal.depth;
+        result.scene = std::make_shared<const Scene>(std::move(scene));
     }
-    if (read.mesh.faces.empty()) {
-        return fail(DiagnosticCode::MeshWithoutFaces, {'"' + description.meshPath + '"'});
+    return result;
+}
+
+SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::string_view text,
+                                 const std::stop_token &stop)
+{
+    SdoResult read = readSdo(text);
+    SceneResult result{std::move(read.diagnostics), nullptr};
+    if (!read.description) {
+        return result;
     }
-    m_meshText = std::move(*text);
-    m_mesh = std::make_shared<const Mesh>(std::move(read.mesh));
-    return m_mesh;
+    const SceneDescription &description = *read.description;
+    Scene scene;
+    for (const SceneDescription::Item &item : description.items) {
+        const ModelLibrary::ModelResult model =
+            stop.stop_requested() ? nullptr : m_library.model(folder / item.path, stop);
+        if (!model) {
+            result.diagnostics.push_back(remark(model.error(), item.path, item.pathRange));
+            continue;
+        }
+        if (!*model) {
+            return result;
+        }
+        const SceneItem placed{*model, item.worldFromModel, item.kind, item.path, item.restitution, item.velocity};
+        const Sphere bound = boundingSphere(placed);
+        if (!isComputable(bound.centre, bound.radius)) {
+            result.diagnostics.push_back({DiagnosticCode::Overflow, item.pathRange, {}});
+        }
+        scene.items.push_back(placed);
+    }
+    m_library.dropUnused();
+    scene.camera = description.camera;
+    if (scene.camera && !isComputable(scene.camera->position, 0.0)) {
+        result.diagnostics.push_back({DiagnosticCode::Overflow, scene.camera->range, {}});
+    }
+    if (!hasErrors(result.diagnostics) && !stop.stop_requested()) {
+        scene.lights = description.lights;
+        scene.extent = extentOf(scene.items);
+        result.scene = std::make_shared<const Scene>(std::move(scene));
+    }
+    sortByPlace(result.diagnostics);
+    return result;
 }
 
 }

@@ -10,41 +10,43 @@
 
 #include "core/base/file.h"
 #include "core/text/diagnostic.h"
+#include "modellibrary.h"
 #include "scene.h"
 
 namespace romanesco {
 
-enum class FileKind { Fdo, Obj, Other };
+enum class FileKind { Fdo, Sdo, Obj, Other };
 /// By the extension, whatever its case.
 [[nodiscard]] FileKind fileKind(const std::filesystem::path &path);
 
 /// A scene, or what keeps its text from being one.
 struct SceneResult {
-    /// Of the text that was loaded, sorted by place.
+    /// Of the text that was loaded, sorted by place. What is wrong with a file that it names is an error at the place of
+    /// the name, with notes that lead into the file.
     Diagnostics diagnostics;
     /// Null after errors, and when stopped.
     std::shared_ptr<const Scene> scene;
 };
 
-/// Makes scenes from texts. Remembers the last mesh, so that a text that changes does not read its mesh anew. One
-/// thread at a time.
+/// Makes scenes from texts. Remembers what it made of the files that the last sound text named, so that a text that
+/// changes does not read its meshes and fractals anew. One thread at a time.
 class SceneLoader
 {
 public:
     /// files must outlive the loader.
     explicit SceneLoader(const FileAccess &files);
 
-    /// text is an .fdo or .obj text by the ending of path; paths in it are relative to path's folder.
+    /// text is an .fdo, .sdo or .obj text by the ending of path (.fdo where it tells nothing); paths in it are relative to
+    /// path's folder. The token is looked at between the files and the steps of each.
     [[nodiscard]] SceneResult load(const std::filesystem::path &path, std::string_view text, std::stop_token stop = {});
 
 private:
-    [[nodiscard]] SceneResult loadObj(std::string_view text);
-    [[nodiscard]] std::shared_ptr<const Mesh> loadMesh(const std::filesystem::path &folder,
-                                                       const FractalDescription &description, Diagnostics &diagnostics);
+    [[nodiscard]] SceneResult loadFdo(const std::filesystem::path &folder, std::string_view text,
+                                      const std::stop_token &stop);
+    [[nodiscard]] SceneResult loadSdo(const std::filesystem::path &folder, std::string_view text,
+                                      const std::stop_token &stop);
 
-    const FileAccess &m_files;
-    std::string m_meshText;
-    std::shared_ptr<const Mesh> m_mesh;
+    ModelLibrary m_library;
 };
 
 }

@@ -229,6 +229,7 @@ void TestSceneLoader::endingsTellTheKind_data()
     QTest::newRow("fdo") << "a/b.fdo" << int(FileKind::Fdo);
     QTest::newRow("FDO") << "B.FDO" << int(FileKind::Fdo);
     QTest::newRow("obj") << "b.Obj" << int(FileKind::Obj);
+    QTest::newRow("sdo") << "a.b/c.Sdo" << int(FileKind::Sdo);
     QTest::newRow("two endings") << "b.fdo.obj" << int(FileKind::Obj);
     QTest::newRow("none") << "fdo" << int(FileKind::Other);
     QTest::newRow("hidden") << ".fdo" << int(FileKind::Other);
