@@ -21,6 +21,17 @@ inline void require(bool holds, std::source_location place = std::source_locatio
     }
 }
 
+/// A fix changes the text, within it and from its start to its end.
+inline void requireSound(const Fix &fix, std::string_view text)
+{
+    std::size_t at = 0;
+    for (const TextEdit &edit : fix.edits) {
+        require(edit.range.begin >= at && edit.range.begin <= edit.range.end && edit.range.end <= text.size());
+        at = edit.range.end;
+    }
+    require(applied(text, fix.edits) != text);
+}
+
 /// What holds for the diagnostics of any text: each lies in it, and can be put into words at a line of it.
 inline void requireSound(const Diagnostics &diagnostics, std::string_view text)
 {
@@ -31,6 +42,9 @@ inline void requireSound(const Diagnostics &diagnostics, std::string_view text)
     for (const Diagnostic &diagnostic : diagnostics) {
         require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= text.size());
         require(!toLines(diagnostic, "file", lines).empty());
+        if (diagnostic.fix) {
+            requireSound(*diagnostic.fix, text);
+        }
     }
 }
 
