@@ -6,6 +6,8 @@
 #include <format>
 
 #include "core/text/unicode.h"
+#include "fdowords.h"
+#include "plainwords.h"
 
 namespace romanesco {
 
@@ -26,17 +28,6 @@ bool isName(std::string_view text)
         text.remove_prefix(point.length);
     }
     return !isFirst;
-}
-
-/// Nothing where the text has no such name.
-std::optional<NameId> findName(const NameTable &names, std::string_view text)
-{
-    for (NameId id = 0; id < names.size(); ++id) {
-        if (names[id] == text) {
-            return id;
-        }
-    }
-    return std::nullopt;
 }
 
 /// Why the thing itself keeps its name, or has none.
@@ -123,6 +114,16 @@ std::optional<Target> definition(const FdoDocument &document, std::size_t offset
     }
     const std::optional<SourceRange> range = declaration(document, occurrence->entity);
     return range ? std::optional(Target{*range}) : std::nullopt;
+}
+
+std::optional<Target> definition(const SdoSyntax &syntax, std::size_t offset)
+{
+    const std::size_t line = syntax.map().lineAt(offset);
+    const PlacedFile *file = line < syntax.lineCount() ? syntax.line(line).file() : nullptr;
+    if (!file || file->path.length() == 0 || !syntax.range(line, file->path).touches(offset)) {
+        return std::nullopt;
+    }
+    return Target{syntax.range(line, file->path), std::string(pathInQuotes(syntax.words(line, file->path)))};
 }
 
 std::vector<Occurrence> uses(const FdoDocument &document, std::size_t offset)

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/sdosyntax.h"
 #include "core/text/textedit.h"
 #include "occurrences.h"
 
@@ -25,6 +26,9 @@ struct Target {
 /// What F12 leads to. Nothing where there is no word that stands for something. Cost linear in the line; for <$> in the
 /// number of objects.
 [[nodiscard]] std::optional<Target> definition(const FdoDocument &document, std::size_t offset);
+
+/// In a scene the paths of files lead to them.
+[[nodiscard]] std::optional<Target> definition(const SdoSyntax &syntax, std::size_t offset);
 
 /// All words that stand for what the word under the cursor stands for, its declaration among them, in the order of the
 /// text. Cost linear in the text.

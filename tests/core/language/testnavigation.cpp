@@ -84,6 +84,7 @@ private Q_SLOTS:
     void usesAreAllWordsThatMeanTheSame();
     void wordsLeadToTheirDeclaration_data();
     void wordsLeadToTheirDeclaration();
+    void pathsOfASceneLeadToTheirFiles();
     void aCursorTouchesAWordAtEitherEnd();
     void renamesChangeTheWordsThatAreNames_data();
     void renamesChangeTheWordsThatAreNames();
@@ -166,6 +167,19 @@ void TestNavigation::wordsLeadToTheirDeclaration()
 {
     QFETCH(QString, marked);
     QTEST(definitionDrawn(marked.toStdString()), "drawn");
+}
+
+void TestNavigation::pathsOfASceneLeadToTheirFiles()
+{
+    const auto leadsTo = [](const char *marked) {
+        const MarkedText text(marked);
+        const std::optional<Target> target = definition(SdoSyntax(text.text), text.offset);
+        return target ? target->path.value() + ' ' + withRanges(text.text, {target->range}) : "nothing";
+    };
+    QCOMPARE(leadsTo("l # #\r\no \"car|.obj\" #"), "car.obj l # #\r\no {\"car.obj\"} #");
+    QCOMPARE(leadsTo("f \"tree.fdo\"|"), "tree.fdo f {\"tree.fdo\"}");
+    QCOMPARE(leadsTo("|o \"car.obj\" #"), "nothing");
+    QCOMPARE(leadsTo("c # # |60"), "nothing");
 }
 
 void TestNavigation::aCursorTouchesAWordAtEitherEnd()
