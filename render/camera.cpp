@@ -10,6 +10,8 @@
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
+#include "core/geometry/rotation.h"
+
 namespace romanesco {
 
 namespace {
@@ -24,6 +26,25 @@ glm::dmat3 rotationLooking(const glm::dvec3 &forward, const glm::dvec3 &up)
     // Left-handed: right = up x forward.
     const glm::dvec3 right = glm::normalize(glm::cross(up, f));
     return {right, glm::cross(f, right), f};
+}
+
+Camera cameraOf(const SceneDescription::Camera &written)
+{
+    Camera camera;
+    camera.position = written.position;
+    camera.worldFromCamera = rotationFromRadians(written.rotation);
+    if (written.isOrthographic) {
+        camera.projection = Projection::Orthographic;
+        camera.viewHeight = written.view;
+    } else {
+        camera.fieldOfView = written.view;
+    }
+    return camera;
+}
+
+Camera startCamera(const Scene &scene, double aspect)
+{
+    return scene.camera ? cameraOf(*scene.camera) : fittedCamera(scene, aspect);
 }
 
 Camera fittedCamera(const Scene &scene, double aspect)

@@ -21,12 +21,20 @@ struct Camera {
     double fieldOfView = 60.0;
     /// Orthographic: the height of the view in world units.
     double viewHeight = 2.0;
+
+    bool operator==(const Camera &) const = default;
 };
+
+/// As an .sdo gives it.
+[[nodiscard]] Camera cameraOf(const SceneDescription::Camera &written);
+
+/// The view that a picture of a scene starts with: the scene's own, or fitted. aspect is width by height.
+[[nodiscard]] Camera startCamera(const Scene &scene, double aspect);
 
 /// A camera that looks along forward with up upwards (any vectors that are not parallel).
 [[nodiscard]] glm::dmat3 rotationLooking(const glm::dvec3 &forward, const glm::dvec3 &up = {0.0, 1.0, 0.0});
 
-/// The view that the program starts with: the whole scene, seen from the direction (1, 0.8, -1.2). aspect is width by
+/// The view where a scene gives none: the whole scene, seen from the direction (1, 0.8, -1.2). aspect is width by
 /// height.
 [[nodiscard]] Camera fittedCamera(const Scene &scene, double aspect);
 

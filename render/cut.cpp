@@ -22,6 +22,10 @@ constexpr unsigned allPlanes = 0b11111;
 /// Nothing smaller is walked into, in pixels.
 constexpr double leastTolerance = 1e-6;
 
+/// In degrees; in units of the view.
+constexpr double leastFieldOfView = 1e-6;
+constexpr double leastViewHeight = 1e-9;
+
 /// An upper bound of the operator norm at the price of nine products.
 double frobeniusNorm(const glm::dmat3 &matrix)
 {
@@ -40,8 +44,10 @@ Projector::Projector(const Camera &camera, const Scene &scene, int width, int he
     cameraFromWorld = glm::transpose(camera.worldFromCamera) / unit;
     range = (distance + size) / unit;
     const bool isPerspective = projection == Projection::Perspective;
-    scaleY = isPerspective ? 1.0 / std::tan(0.5 * camera.fieldOfView * std::numbers::pi / 180.0)
-                           : 2.0 * unit / camera.viewHeight;
+    // What is narrower has no more pixels that differ, and floats would end.
+    const double angle = std::max(camera.fieldOfView, leastFieldOfView);
+    scaleY = isPerspective ? 1.0 / std::tan(0.5 * angle * std::numbers::pi / 180.0)
+                           : 2.0 * unit / std::max(camera.viewHeight, leastViewHeight * unit);
     scaleX = scaleY * height / width;
     pixels = 0.5 * scaleY * height;
 }

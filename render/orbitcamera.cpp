@@ -14,11 +14,38 @@ namespace {
 
 constexpr double straightUp = std::numbers::pi / 2.0;
 
+/// Without roll: right is horizontal. Yaw from forward (z) towards the right (x), pitch upwards.
+glm::dmat3 levelRotation(double yaw, double pitch)
+{
+    const glm::dvec3 right(std::cos(yaw), 0.0, -std::sin(yaw));
+    const glm::dvec3 forward(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+    return {right, glm::cross(forward, right), forward};
+}
+
+}
+
+void OrbitCamera::start(const Camera &camera, const Scene &scene)
+{
+    m_camera = camera;
+    m_sceneSize = glm::length(scene.extent.size());
+    const glm::dmat3 &axes = camera.worldFromCamera;
+    m_yaw = std::atan2(axes[2].x, axes[2].z);
+    m_pitch = std::asin(std::clamp(axes[2].y, -1.0, 1.0));
+    const glm::dmat3 level = levelRotation(m_yaw, m_pitch);
+    m_roll = std::atan2(glm::dot(axes[0], level[1]), glm::dot(axes[0], level[0]));
+
+    double away = glm::dot(scene.extent.centre() - camera.position, axes[2]);
+    if (away < 1e-3 * m_sceneSize || away <= 0.0) {
+        away = m_sceneSize > 0.0 ? m_sceneSize : 1.0;
+    }
+    m_pivot = camera.position + axes[2] * away;
 }
 
 void OrbitCamera::fit(const Scene &scene, double aspect)
 {
     const glm::dvec3 forward = glm::normalize(glm::dvec3(-1.0, -0.8, 1.2));
+    m_camera.fieldOfView = Camera{}.fieldOfView;
+    m_roll = 0.0;
     setDirection(std::atan2(forward.x, forward.z), std::asin(forward.y));
     refit(scene, aspect);
 }
@@ -36,6 +63,7 @@ void OrbitCamera::look(double yawDegrees, double pitchDegrees)
 {
     constexpr double radians = std::numbers::pi / 180.0;
     const double away = distance();
+    m_roll = 0.0;
     setDirection(yawDegrees * radians, pitchDegrees * radians);
     m_camera.position = m_pivot - m_camera.worldFromCamera[2] * away;
 }
@@ -79,15 +107,14 @@ void OrbitCamera::setProjection(Projection projection)
     m_camera.viewHeight = height;
 }
 
-/// Yaw from forward (z) towards the right (x), pitch upwards.
 void OrbitCamera::setDirection(double yaw, double pitch)
 {
     m_yaw = std::remainder(yaw, 2.0 * std::numbers::pi);
     m_pitch = std::clamp(pitch, -straightUp, straightUp);
-    const glm::dvec3 right(std::cos(m_yaw), 0.0, -std::sin(m_yaw));
-    const glm::dvec3 forward(std::sin(m_yaw) * std::cos(m_pitch), std::sin(m_pitch),
-                             std::cos(m_yaw) * std::cos(m_pitch));
-    m_camera.worldFromCamera = {right, glm::cross(forward, right), forward};
+    const glm::dmat3 level = levelRotation(m_yaw, m_pitch);
+    const double c = std::cos(m_roll);
+    const double s = std::sin(m_roll);
+    m_camera.worldFromCamera = {c * level[0] + s * level[1], c * level[1] - s * level[0], level[2]};
 }
 
 double OrbitCamera::distance() const

@@ -13,6 +13,9 @@ namespace romanesco {
 class OrbitCamera
 {
 public:
+    /// Starts from a camera as it is. The pivot is the point of its axis that is nearest to the middle of the scene, or as
+    /// far away as the scene is large where the camera has that behind it. A camera that is rolled stays so as it orbits.
+    void start(const Camera &camera, const Scene &scene);
     /// Looks at the whole scene from the direction that the program starts with.
     void fit(const Scene &scene, double aspect);
     /// The same direction, the whole scene in view.
@@ -45,6 +48,8 @@ private:
     double m_sceneSize = 0.0;
     double m_yaw = 0.0;
     double m_pitch = 0.0;
+    /// From the horizontal to the camera's right, towards up.
+    double m_roll = 0.0;
 };
 
 }

@@ -10,8 +10,9 @@ namespace romanesco::cli {
 namespace {
 
 constexpr std::array commands = {
-    Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal", runInfo},
-    Command{"render", "FILE -o OUT.png [--size WxH] [--depth N] …", "draw one picture, without a display", runRender},
+    Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},
+    Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--depth N] …",
+            "draw one picture, without a display", runRender},
 };
 
 }
@@ -25,7 +26,7 @@ const Command *findCommand(const QString &name)
 QString helpText()
 {
     QString text = QStringLiteral("romanesco [FILE]\n"
-                                  "    edit fractals (.fdo) and look at meshes (.obj) in a window\n");
+                                  "    edit fractals (.fdo) and scenes (.sdo) and look at meshes (.obj) in a window\n");
     for (const Command &command : commands) {
         text += QStringLiteral("romanesco %1 %2\n    %3\n")
                     .arg(QString::fromUtf8(command.name), QString::fromUtf8(command.synopsis),

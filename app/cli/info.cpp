@@ -2,8 +2,12 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "commandline.h"
 
+#include <algorithm>
 #include <format>
+#include <map>
+#include <numeric>
 #include <print>
+#include <ranges>
 
 #include <QCommandLineParser>
 #include <QJsonArray>
@@ -18,31 +22,70 @@ namespace romanesco::cli {
 namespace {
 
 constexpr std::size_t mostSizesShown = 16;
+constexpr std::size_t mostItemsShown = 24;
 
 std::string place(const glm::dvec3 &v)
 {
     return std::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z);
 }
 
-std::string levelText(const Summary &summary)
+std::string levelText(Position count, const std::vector<std::uint64_t> &sizes)
 {
-    std::string text = std::to_string(*summary.levelCount);
-    for (std::size_t i = 0; i < summary.levelSizes.size(); ++i) {
+    std::string text = std::to_string(count);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
         if (i == mostSizesShown) {
             return text + " × …";
         }
-        text += std::format("{}{}", i == 0 ? ", of " : " × ", summary.levelSizes[i]);
+        text += std::format("{}{}", i == 0 ? ", of " : " × ", sizes[i]);
     }
     return text;
+}
+
+/// A line for each item, with the letter that it has in the text.
+void printItems(const Scene &scene)
+{
+    std::println("items        {}", scene.items.size());
+    std::map<const Model *, std::string> known;
+    for (std::size_t i = 0; i < scene.items.size(); ++i) {
+        if (i == mostItemsShown) {
+            std::println("             and {} more", scene.items.size() - mostItemsShown);
+            return;
+        }
+        const SceneItem &item = scene.items[i];
+        std::string &words = known[item.model.get()];
+        if (words.empty()) {
+            const Summary summary = summarise(*item.model);
+            words = std::format("instances {}, faces {}", summary.instancesAsWritten.toString(),
+                                summary.facesAsWritten.toString());
+        }
+        std::println("             {} \"{}\": {}", "ofp"[static_cast<std::size_t>(item.kind)], item.path, words);
+    }
+}
+
+std::size_t graphBytes(const Scene &scene)
+{
+    std::map<const Model *, std::size_t> bytes;
+    for (const SceneItem &item : scene.items) {
+        bytes[item.model.get()] = item.model->graph.memoryUse();
+    }
+    const auto sizes = std::views::values(bytes);
+    return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
 }
 
 void printText(const Input &input, const Summary &summary)
 {
     const Scene &scene = *input.scene;
-    const Model &model = *scene.items.front().model;
-    const std::string base = model.meshPath.empty() ? "" : model.meshPath + ", ";
-    std::println("base         {}{} faces", base, *summary.facesPerBase);
-    std::println("levels       {}", levelText(summary));
+    if (input.isAssembled) {
+        printItems(scene);
+        std::println("camera       {}", scene.camera ? "in the text" : "fitted");
+        std::println("lights       {}", scene.lights.size());
+    }
+    if (summary.facesPerBase && summary.levelCount) {
+        const Model &model = *scene.items.front().model;
+        const std::string base = model.meshPath.empty() ? "" : model.meshPath + ", ";
+        std::println("base         {}{} faces", base, *summary.facesPerBase);
+        std::println("levels       {}", levelText(*summary.levelCount, summary.levelSizes));
+    }
     if (summary.iteration) {
         std::println("iteration    {} transformations, depth {}", summary.iteration->transforms,
                      summary.iteration->depth);
@@ -57,8 +100,8 @@ void printText(const Input &input, const Summary &summary)
     }
     const Sphere bound = boundingSphere(scene);
     std::println("bounds       {} to {}", place(scene.extent.least), place(scene.extent.greatest));
-    std::println("             within {:.6g} of {}", bound.radius, place(bound.centre));
-    std::println("storage      {} bytes of text, {} bytes as a graph", input.sourceBytes, model.graph.memoryUse());
+    std::println("             within {:.6g} of {}", std::max(bound.radius, 0.0), place(bound.centre));
+    std::println("storage      {} bytes of text, {} bytes as a graph", input.sourceBytes, graphBytes(scene));
 }
 
 QJsonArray json(const glm::dvec3 &v)
@@ -80,8 +123,11 @@ QJsonObject json(const Input &input, const Summary &summary)
         levels.append(static_cast<qint64>(size));
     }
     QJsonObject object;
-    object[QStringLiteral("base")] = QString::fromStdString(scene.items.front().model->meshPath);
-    object[QStringLiteral("faces_per_base")] = static_cast<qint64>(*summary.facesPerBase);
+    const bool hasBase = summary.facesPerBase.has_value();
+    object[QStringLiteral("base")] =
+        hasBase ? QJsonValue(QString::fromStdString(scene.items.front().model->meshPath)) : QJsonValue();
+    object[QStringLiteral("faces_per_base")] =
+        hasBase ? QJsonValue(static_cast<qint64>(*summary.facesPerBase)) : QJsonValue();
     const bool hasSizes = summary.levelSizes.size() == summary.levelCount;
     object[QStringLiteral("levels")] = hasSizes ? QJsonValue(levels) : QJsonValue();
     object[QStringLiteral("transforms_per_iteration")] =
@@ -99,7 +145,7 @@ QJsonObject json(const Input &input, const Summary &summary)
         : QJsonValue();
     const Sphere bound = boundingSphere(scene);
     object[QStringLiteral("bounds")] = QJsonObject{{QStringLiteral("centre"), json(bound.centre)},
-                                                   {QStringLiteral("radius"), bound.radius},
+                                                   {QStringLiteral("radius"), std::max(bound.radius, 0.0)},
                                                    {QStringLiteral("min"), json(scene.extent.least)},
                                                    {QStringLiteral("max"), json(scene.extent.greatest)}};
     object[QStringLiteral("storage")] =
@@ -112,7 +158,8 @@ QJsonObject json(const Input &input, const Summary &summary)
 int runInfo(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Prints the numbers of a fractal: faces, levels, depth, counts."));
+    parser.setApplicationDescription(
+        QStringLiteral("Prints the numbers of a fractal or a scene: faces, levels, depth, counts."));
     const QCommandLineOption jsonOption(QStringLiteral("json"), QStringLiteral("For machines."));
     parser.addOption(depthOption());
     parser.addOption(jsonOption);

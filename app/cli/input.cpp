@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "input.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstdio>
-#include <iterator>
 #include <print>
+#include <utility>
 
 #include <QCommandLineParser>
 #include <QFile>
@@ -32,25 +34,60 @@ std::expected<std::string, std::string> readText(const QString &file)
     return input.readAll().toStdString();
 }
 
-/// The text with another depth in it, so that everything after sees an ordinary text.
-std::expected<std::string, int> withDepth(std::string text, const QString &depth)
+/// What --depth asks for: every .fdo text with another depth in it, so that everything after sees ordinary texts.
+class DepthChange final : public FileAccess
 {
+public:
+    /// No digits for no change.
+    DepthChange(const FileAccess &files, std::string digits)
+        : m_files(files)
+        , m_digits(std::move(digits))
+    {
+    }
+
+    [[nodiscard]] std::string changed(std::string text) const
+    {
+        const FdoResult read = m_digits.empty() ? FdoResult() : readFdo(text);
+        if (!read.description || !read.description->depth) {
+            return text; // where it has errors they are told in a moment
+        }
+        m_hasChanged = true;
+        const SourceRange range = read.description->depth->range;
+        return text.replace(range.begin, range.length(), m_digits);
+    }
+
+    [[nodiscard]] std::expected<std::string, std::string> read(const std::filesystem::path &path) const override
+    {
+        auto text = m_files.read(path);
+        return text && fileKind(path) == FileKind::Fdo ? changed(std::move(*text)) : text;
+    }
+
+    /// Whether a change is wanted and there was nothing to change.
+    [[nodiscard]] bool isInVain() const { return !m_digits.empty() && !m_hasChanged; }
+
+private:
+    const FileAccess &m_files;
+    std::string m_digits;
+    mutable std::atomic<bool> m_hasChanged = false;
+};
+
+/// Empty where the option is not given; the error is an exit status after a complaint.
+std::expected<std::string, int> depthDigits(const QCommandLineParser &parser, FileKind kind)
+{
+    if (!parser.isSet(QStringLiteral("depth"))) {
+        return {};
+    }
+    const QString depth = parser.value(QStringLiteral("depth"));
     const QByteArray digits = depth.toUtf8();
-    const bool isWhole = !digits.isEmpty() && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
-    if (!isWhole) {
+    if (digits.isEmpty() || !std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; })) {
         complain(QStringLiteral("--depth takes a whole number, not \"%1\"").arg(depth));
         return std::unexpected(WrongUsage);
     }
-    const FdoResult read = readFdo(text);
-    if (!read.description) {
-        return text; // its errors are told in a moment
-    }
-    if (!read.description->depth) {
-        complain(QStringLiteral("--depth needs a depth in the file, as in \"<$>. z 6\""));
+    if (kind == FileKind::Obj) {
+        complain(QStringLiteral("--depth needs a .fdo or .sdo file"));
         return std::unexpected(WrongUsage);
     }
-    const SourceRange range = read.description->depth->range;
-    return text.replace(range.begin, range.length(), digits.toStdString());
+    return digits.toStdString();
 }
 
 }
@@ -64,7 +101,8 @@ std::expected<QString, int> parseArguments(QCommandLineParser &parser, const cha
                                            const QStringList &arguments)
 {
     const QString name = QStringLiteral("romanesco ") + QLatin1String(command);
-    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("A .fdo or .obj file; - is stdin, as .fdo."));
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QStringLiteral("A .fdo, .sdo or .obj file; - is stdin, as .fdo."));
     const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Print this text."));
     parser.addOption(help);
     const bool isUnderstood = parser.parse(QStringList{name} + arguments);
@@ -90,7 +128,7 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     const std::string shown = isStandardInput ? "<stdin>" : file.toStdString();
     const FileKind kind = fileKind(path);
     if (kind == FileKind::Other) {
-        complain(QStringLiteral("%1: only .fdo and .obj files can be read").arg(file));
+        complain(QStringLiteral("%1: only .fdo, .sdo and .obj files can be read").arg(file));
         return std::unexpected(BadInput);
     }
     auto text = readText(file);
@@ -98,21 +136,21 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
         complain(QStringLiteral("cannot read %1: %2").arg(file, QString::fromStdString(text.error())));
         return std::unexpected(BadInput);
     }
-    const std::size_t sourceBytes = text->size();
-    if (parser.isSet(QStringLiteral("depth"))) {
-        if (kind != FileKind::Fdo) {
-            complain(QStringLiteral("--depth needs a .fdo file"));
-            return std::unexpected(WrongUsage);
-        }
-        auto changed = withDepth(std::move(*text), parser.value(QStringLiteral("depth")));
-        if (!changed) {
-            return std::unexpected(changed.error());
-        }
-        text = std::move(*changed);
+    const auto depth = depthDigits(parser, kind);
+    if (!depth) {
+        return std::unexpected(depth.error());
     }
-
-    const DiskFiles files;
+    const std::size_t sourceBytes = text->size();
+    const DiskFiles disk;
+    const DepthChange files(disk, *depth);
+    if (kind == FileKind::Fdo) {
+        text = files.changed(std::move(*text));
+    }
     SceneResult result = SceneLoader(files).load(path, *text);
+    if (result.scene && files.isInVain()) {
+        complain(QStringLiteral("--depth needs a depth in the file, as in \"<$>. z 6\""));
+        return std::unexpected(WrongUsage);
+    }
     const LineMap lines(*text);
     for (const Diagnostic &diagnostic : result.diagnostics) {
         if (diagnostic.severity() != Severity::Hint) {
@@ -122,7 +160,7 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     if (!result.scene) {
         return std::unexpected(BadInput);
     }
-    return Input{std::move(result.scene), sourceBytes};
+    return Input{std::move(result.scene), sourceBytes, kind == FileKind::Sdo};
 }
 
 }

@@ -19,6 +19,8 @@ namespace romanesco::cli {
 struct Input {
     std::shared_ptr<const Scene> scene;
     std::size_t sourceBytes = 0;
+    /// The file is an .sdo, which places other files.
+    bool isAssembled = false;
 };
 
 [[nodiscard]] QCommandLineOption depthOption();
@@ -28,7 +30,7 @@ struct Input {
 [[nodiscard]] std::expected<QString, int> parseArguments(QCommandLineParser &parser, const char *command,
                                                          const QStringList &arguments);
 
-/// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's. Errors and warnings go to
+/// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's, or of every fractal's in a scene. Errors and warnings go to
 /// stderr as FILE:LINE:COL; the error is an exit status.
 [[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser);
 

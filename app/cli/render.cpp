@@ -11,6 +11,7 @@
 #include <QImage>
 #include <QRegularExpression>
 
+#include "core/formats/sdoreader.h"
 #include "input.h"
 #include "output.h"
 #include "render/headless/eglcontext.h"
@@ -36,6 +37,11 @@ struct Options {
     QCommandLineOption samples{QStringLiteral("samples"),
                                QStringLiteral("Samples a pixel (8); 1 is exactly the pixel centre."),
                                QStringLiteral("N"), QStringLiteral("8")};
+    QCommandLineOption camera{
+        QStringLiteral("camera"),
+        QStringLiteral("Where from, as a scene says it: \"c (x, y, z) (pitch, yaw, roll) fov\", the "
+                       "angles in radians, or with a height and orthographic after it."),
+        QStringLiteral("LINE")};
     QCommandLineOption background{QStringLiteral("background"),
                                   QStringLiteral("A colour for the background, in place of a dark gradient."),
                                   QStringLiteral("#RRGGBB")};
@@ -82,6 +88,28 @@ std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Opti
         view.backgroundBottom = view.backgroundTop;
     }
     return view;
+}
+
+/// The camera that --camera gives; complains where it is none.
+std::optional<Camera> cameraFromLine(const QString &line)
+{
+    const SdoResult read = readSdo(line.toStdString());
+    for (const Diagnostic &diagnostic : read.diagnostics) {
+        complain(QStringLiteral("--camera: ") + QString::fromStdString(diagnostic.message()));
+    }
+    if (!read.description) {
+        return std::nullopt;
+    }
+    const SceneDescription &scene = *read.description;
+    if (!scene.camera || !scene.items.empty() || !scene.lights.empty()) {
+        complain(QStringLiteral("--camera takes a line like \"c (0, 2, -9) # 60\", not \"%1\"").arg(line));
+        return std::nullopt;
+    }
+    if (!isComputable(scene.camera->position)) {
+        complain(QStringLiteral("--camera: the place is too far away (at most 1e153)"));
+        return std::nullopt;
+    }
+    return cameraOf(*scene.camera);
 }
 
 /// The picture, or an exit status after a complaint.
@@ -131,9 +159,9 @@ QByteArray png(const Picture &picture)
 int runRender(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Draws one picture of a fractal, without a display."));
+    parser.setApplicationDescription(QStringLiteral("Draws one picture of a fractal or a scene, without a display."));
     const Options options;
-    parser.addOptions({options.output, options.size, depthOption(), options.tolerance, options.samples,
+    parser.addOptions({options.output, options.size, options.camera, depthOption(), options.tolerance, options.samples,
                        options.background, options.quiet});
     const auto file = parseArguments(parser, "render", arguments);
     if (!file) {
@@ -147,11 +175,18 @@ int runRender(const QStringList &arguments)
     if (!view) {
         return WrongUsage;
     }
+    std::optional<Camera> camera;
+    if (parser.isSet(options.camera)) {
+        camera = cameraFromLine(parser.value(options.camera));
+        if (!camera) {
+            return WrongUsage;
+        }
+    }
     const auto input = readInput(*file, parser);
     if (!input) {
         return input.error();
     }
-    view->camera = fittedCamera(*input->scene, double(view->width) / view->height);
+    view->camera = camera ? *camera : startCamera(*input->scene, double(view->width) / view->height);
     const auto picture = draw(input->scene, *view, parser.isSet(options.quiet));
     if (!picture) {
         return picture.error();

@@ -15,6 +15,14 @@ glm::dmat3 fromRows(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &
     return {a.x, b.x, c.x, a.y, b.y, c.y, a.z, b.z, c.z};
 }
 
+glm::dmat3 rotationFrom(const CosSin &x, const CosSin &y, const CosSin &z)
+{
+    const glm::dmat3 pitch = fromRows({1, 0, 0}, {0, x.cosine, x.sine}, {0, -x.sine, x.cosine});
+    const glm::dmat3 yaw = fromRows({y.cosine, 0, -y.sine}, {0, 1, 0}, {y.sine, 0, y.cosine});
+    const glm::dmat3 roll = fromRows({z.cosine, z.sine, 0}, {-z.sine, z.cosine, 0}, {0, 0, 1});
+    return pitch * yaw * roll;
+}
+
 }
 
 CosSin cosSinOfDegrees(double degrees)
@@ -39,13 +47,13 @@ CosSin cosSinOfDegrees(double degrees)
 
 glm::dmat3 rotationFromDegrees(const glm::dvec3 &degrees)
 {
-    const auto [cx, sx] = cosSinOfDegrees(degrees.x);
-    const auto [cy, sy] = cosSinOfDegrees(degrees.y);
-    const auto [cz, sz] = cosSinOfDegrees(degrees.z);
-    const glm::dmat3 pitch = fromRows({1, 0, 0}, {0, cx, sx}, {0, -sx, cx});
-    const glm::dmat3 yaw = fromRows({cy, 0, -sy}, {0, 1, 0}, {sy, 0, cy});
-    const glm::dmat3 roll = fromRows({cz, sz, 0}, {-sz, cz, 0}, {0, 0, 1});
-    return pitch * yaw * roll;
+    return rotationFrom(cosSinOfDegrees(degrees.x), cosSinOfDegrees(degrees.y), cosSinOfDegrees(degrees.z));
+}
+
+glm::dmat3 rotationFromRadians(const glm::dvec3 &radians)
+{
+    const auto of = [](double angle) { return CosSin{std::cos(angle), std::sin(angle)}; };
+    return rotationFrom(of(radians.x), of(radians.y), of(radians.z));
 }
 
 }

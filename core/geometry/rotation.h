@@ -18,5 +18,7 @@ struct CosSin {
 /// R(x,y,z) = pitch(x)·yaw(y)·roll(z) in left-handed coordinates; the columns are right, up and forward:
 ///   pitch(a) = [1 0 0; 0 c s; 0 -s c]   yaw(a) = [c 0 -s; 0 1 0; s 0 c]   roll(a) = [c s 0; -s c 0; 0 0 1]
 [[nodiscard]] glm::dmat3 rotationFromDegrees(const glm::dvec3 &degrees);
+/// The same from angles in radians, of any size.
+[[nodiscard]] glm::dmat3 rotationFromRadians(const glm::dvec3 &radians);
 
 }

@@ -3,6 +3,7 @@
 #include "scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -46,6 +47,12 @@ Scene sceneOf(std::shared_ptr<const Model> model)
     scene.extent = model->extent;
     scene.items.push_back({.model = std::move(model)});
     return scene;
+}
+
+bool isComputable(const glm::dvec3 &place, double radius)
+{
+    const double reach = glm::length(place) + radius;
+    return std::isfinite(100.0 * reach * reach);
 }
 
 Sphere boundingSphere(const SceneItem &item)

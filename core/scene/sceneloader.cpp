@@ -2,10 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "sceneloader.h"
 
-#include <cmath>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 #include "core/formats/lineparser.h"
 #include "core/formats/objreader.h"
@@ -14,13 +11,6 @@
 namespace romanesco {
 
 namespace {
-
-/// Whether sizes and distances in a scene that reaches so far, and their squares, are numbers.
-bool isComputable(const glm::dvec3 &place, double radius)
-{
-    const double reach = glm::length(place) + radius;
-    return std::isfinite(100.0 * reach * reach);
-}
 
 SceneResult loadObj(std::string_view text)
 {
@@ -120,7 +110,7 @@ SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::strin
     }
     m_library.dropUnused();
     scene.camera = description.camera;
-    if (scene.camera && !isComputable(scene.camera->position, 0.0)) {
+    if (scene.camera && !isComputable(scene.camera->position)) {
         result.diagnostics.push_back({DiagnosticCode::Overflow, scene.camera->range, {}});
     }
     if (!hasErrors(result.diagnostics) && !stop.stop_requested()) {

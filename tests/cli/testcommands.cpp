@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <cmath>
+
 #include <signal.h>
 
 #include <QDir>
@@ -68,11 +70,18 @@ private Q_SLOTS:
         QVERIFY(m_folder.isValid());
         write(path("triangle.obj"), triangle);
         write(path("good.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, #, #)\nz<x>. [#, t.1] x\n<$>. z 3\n");
+        write(path("other.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, #, #)\nz<x>. [#, t.1] x\n<$>. z 3\n");
         write(path("plain.fdo"), "<$>. \"triangle.obj\"\n");
         write(path("empty.fdo"), "");
         write(path("syntax.fdo"), "v 1 0 0\nx. \"triangle.obj\"\nt.p. (p, # #)\n<$>. x\n");
         write(path("nomesh.fdo"), "x. \"gone.obj\"\n<$>. x\n");
         write(path("huge.obj"), "v 0 0 0\nv 1e200 0 0\nv 0 1e200 0\nf 1 2 3\n");
+        write(path("scene.sdo"),
+              "c (0, 0, -4) # 60\no \"triangle.obj\" #\nf \"good.fdo\" ((0, 2, 0), #, #)\n"
+              "f \"other.fdo\" ((0, -2, 0), #, #)\np \"triangle.obj\" ((9, 0, 0), #, #) 0.5\n");
+        write(path("plain.sdo"), "o \"triangle.obj\" #\nf \"plain.fdo\" #\n");
+        write(path("one.sdo"), "f \"good.fdo\" ((0, 2, 0), #, #)\n");
+        write(path("bad.sdo"), "o \"triangle.obj\" #\nf \"syntax.fdo\" #\n");
         QFile sparse(path("sparse.fdo"));
         QVERIFY(sparse.open(QIODevice::WriteOnly) && sparse.resize(100'000'000'000));
         QVERIFY(QDir(m_folder.path()).mkdir(QStringLiteral("folder.fdo")));
@@ -111,6 +120,55 @@ private Q_SLOTS:
         QVERIFY(outcome.out.contains("11 distinct"));
     }
 
+    void infoAddsUpAScene()
+    {
+        const Outcome text = run({QStringLiteral("info"), path("scene.sdo")});
+        QCOMPARE(text.status, 0);
+        QVERIFY2(text.out.contains("o \"triangle.obj\": instances 1, faces 1\n"), text.out);
+        QVERIFY2(text.out.contains("f \"good.fdo\": instances 8, faces 8\n"), text.out);
+        QVERIFY2(text.out.contains("p \"triangle.obj\": instances 1, faces 1\n"), text.out);
+        QVERIFY2(text.out.contains("18 as written"), text.out);
+        QVERIFY(!text.out.contains("base "));
+
+        const Outcome json = run({QStringLiteral("info"), QStringLiteral("--json"), path("scene.sdo")});
+        const QJsonObject object = QJsonDocument::fromJson(json.out).object();
+        QCOMPARE(object[QStringLiteral("instances_as_written")].toString(), QStringLiteral("18"));
+        QCOMPARE(object[QStringLiteral("instances_distinct")].toString(), QStringLiteral("10"));
+        QCOMPARE(object[QStringLiteral("faces_as_written")].toString(), QStringLiteral("18"));
+        for (const char *key : {"base", "faces_per_base", "levels", "depth", "transforms_per_iteration"}) {
+            QVERIFY2(object.contains(QLatin1String(key)) && object[QLatin1String(key)].isNull(), key);
+        }
+        const QJsonObject bounds = object[QStringLiteral("bounds")].toObject();
+        QCOMPARE(bounds[QStringLiteral("min")].toArray()[1].toDouble(), -2.0);
+        QCOMPARE(bounds[QStringLiteral("max")].toArray()[0].toDouble(), 10.0);
+    }
+
+    void infoOfASceneOfOneFractalHasItsBase()
+    {
+        const Outcome outcome = run({QStringLiteral("info"), QStringLiteral("--json"), path("one.sdo")});
+        const QJsonObject object = QJsonDocument::fromJson(outcome.out).object();
+        QCOMPARE(object[QStringLiteral("base")].toString(), QStringLiteral("triangle.obj"));
+        QCOMPARE(object[QStringLiteral("depth")].toInt(), 3);
+    }
+
+    void depthReplacesThatOfEveryFractalInAScene()
+    {
+        const Outcome outcome =
+            run({QStringLiteral("info"), path("scene.sdo"), QStringLiteral("--depth"), QStringLiteral("10")});
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(outcome.out.contains("2050 as written"), outcome.out);
+        QVERIFY2(outcome.out.contains("24 distinct"), outcome.out);
+    }
+
+    void whatASceneNamesIsToldWithItsPlace()
+    {
+        const Outcome outcome = run({QStringLiteral("info"), path("bad.sdo")});
+        QCOMPARE(outcome.status, 1);
+        QVERIFY2(outcome.err.contains("bad.sdo:2:3: error: cannot use \"syntax.fdo\": line 3, column 12: \",\""),
+                 outcome.err);
+        QVERIFY2(outcome.err.contains("\nsyntax.fdo:3:12: note: \",\" expected"), outcome.err);
+    }
+
     void dashReadsStandardInput()
     {
         const Outcome outcome = run({QStringLiteral("info"), QStringLiteral("-")}, "<$>. nothing\n");
@@ -130,7 +188,7 @@ private Q_SLOTS:
         QTest::newRow("file beyond memory") << "sparse.fdo" << QByteArray("larger than 2 GB");
         QTest::newRow("missing file") << "gone.fdo" << QByteArray("gone.fdo: no such file");
         QTest::newRow("folder") << "folder.fdo" << QByteArray("it is a directory");
-        QTest::newRow("another kind") << "picture.png" << QByteArray("only .fdo and .obj files");
+        QTest::newRow("another kind") << "picture.png" << QByteArray("only .fdo, .sdo and .obj files");
     }
 
     void badInputIsToldAtItsPlace()
@@ -171,6 +229,16 @@ private Q_SLOTS:
         row("bad depth", {"info", good, "--depth", "x"});
         row("negative depth", {"info", good, "--depth=-1"});
         row("depth where there is none", {"info", path("plain.fdo"), "--depth", "3"});
+        row("depth of a scene without one", {"info", path("plain.sdo"), "--depth", "3"});
+        const auto camera = [&](const QString &line) {
+            return QStringList{"render", good, "-o", "a.png", "--camera", line};
+        };
+        row("camera without a c", camera("(0, 0, -4) # 60"));
+        row("camera without a view", camera("c (0, 0, -4) #"));
+        row("no camera", camera(""));
+        row("camera in a comment", camera("# c (0, 0, -4) # 60"));
+        row("camera and more", camera("c (0, 0, -4) # 60\nl # #"));
+        row("camera too far away", camera("c (1e200, 0, 0) # 60"));
         row("depth of a mesh", {"info", path("triangle.obj"), "--depth", "3"});
     }
 
@@ -213,6 +281,35 @@ private Q_SLOTS:
             }
         }
         QVERIFY2(covered > 500 && covered < 15'000, qPrintable(QString::number(covered)));
+    }
+
+    /// The scene's camera looks along z at triangles; an option has them in view as a whole, or looks away.
+    void renderTakesTheCameraOfTheSceneOrOfTheOption()
+    {
+        const auto shareOfSurface = [&](const QStringList &more) {
+            const QString output = path("camera.png");
+            QStringList arguments{"render",  path("scene.sdo"), "-o", output,         "--size",
+                                  "400x400", "--samples",       "1",  "--background", "#0000ff"};
+            const Outcome outcome = run(arguments + more);
+            const QImage image(output);
+            int covered = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                for (int x = 0; x < image.width(); ++x) {
+                    covered += image.pixel(x, y) != qRgb(0, 0, 255) ? 1 : 0;
+                }
+            }
+            return outcome.status == 0 ? covered / 160'000.0 : -1.0;
+        };
+        // A square of 4.6188 units is in view. Of the triangles (0,0), (1,0), (0,1), each half a unit, that holds the one
+        // in the middle and parts of two rows of four: cut off at 0.3094 above and to the right.
+        const double cut = 0.5 - 0.5 * 0.6906 * 0.6906;
+        const double expected = (0.5 + 2 * cut + 0.3094 * 0.3094 + 2 * 0.5 + cut) / (4.6188 * 4.6188);
+        const double own = shareOfSurface({});
+        QVERIFY2(std::abs(own - expected) < 0.003, qPrintable(QString::number(own)));
+        // Nine triangles, without the ball.
+        const double wide = shareOfSurface({"--camera", "c (0, 0, -4) # 16 orthographic"});
+        QVERIFY2(std::abs(wide - 9 * 0.5 / (16.0 * 16.0)) < 0.001, qPrintable(QString::number(wide)));
+        QCOMPARE(shareOfSurface({"--camera", "c (0, 0, -4) (0, 3.14159, 0) 60"}), 0.0);
     }
 
     void dashWritesThePictureToStandardOutput()

@@ -71,6 +71,105 @@ private Q_SLOTS:
         QCOMPARE(rotation[2], glm::dvec3(0, 0, 1));
     }
 
+    /// The dissertation's camera (appendix A) has the origin in view, 20.8 degrees off its axis, as worked out by hand.
+    void aSceneCameraIsReadInRadians()
+    {
+        const Camera camera =
+            cameraOf({{-48.761894, 25.567242, 64.429054}, {-0.071402885, -2.4999454, 0}, false, 60, {}});
+        const glm::dvec3 p = glm::transpose(camera.worldFromCamera) * -camera.position;
+        QVERIFY(std::abs(p.x / p.z - -0.02) < 0.005);
+        QVERIFY(std::abs(p.y / p.z - -0.38) < 0.005);
+        const double degrees = std::acos(p.z / glm::length(p)) * 180.0 / std::acos(-1.0);
+        QVERIFY2(std::abs(degrees - 20.8) < 0.05, qPrintable(QString::number(degrees)));
+        const glm::dvec3 screen = onScreen(camera, {0, 0, 0}, 1.0);
+        QVERIFY(std::abs(screen.y * 0.57735 - p.y / p.z) < 1e-5);
+        QVERIFY(std::abs(glm::determinant(camera.worldFromCamera) - 1.0) < 1e-12);
+    }
+
+    void aSceneCameraHasItsProjection()
+    {
+        const Camera perspective = cameraOf({{1, 2, 3}, {0, 0, 0}, false, 35, {}});
+        QVERIFY(perspective.projection == Projection::Perspective && perspective.fieldOfView == 35.0);
+        const Camera orthographic = cameraOf({{1, 2, 3}, {0, 0, 0}, true, 35, {}});
+        QVERIFY(orthographic.projection == Projection::Orthographic && orthographic.viewHeight == 35.0);
+    }
+
+    void aSceneWithoutACameraIsFitted()
+    {
+        Scene scene = *test::sceneOf("<$>. \"box.obj\"\n");
+        QVERIFY(startCamera(scene, 1.5) == fittedCamera(scene, 1.5));
+        scene.camera = SceneDescription::Camera{{1, 2, 3}, {0.1, 0.2, 0.3}, false, 35, {}};
+        QVERIFY(startCamera(scene, 1.5) == cameraOf(*scene.camera));
+    }
+
+    void viewsOfEveryWidthAreNumbers_data()
+    {
+        QTest::addColumn<double>("view");
+        for (const double view : {1e-320, 1e-100, 1e-9, 60.0, 179.999999999999}) {
+            QTest::addRow("%g", view) << view;
+        }
+        QTest::newRow("greatest") << 1.7e308;
+    }
+
+    void viewsOfEveryWidthAreNumbers()
+    {
+        QFETCH(const double, view);
+        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
+        for (const bool isOrthographic : {true, false}) {
+            if (!isOrthographic && view >= 180.0) {
+                continue;
+            }
+            const Camera camera = cameraOf({{1, 2, -9}, {0, 0, 0}, isOrthographic, view, {}});
+            const Projector projector(camera, *scene, 640, 480);
+            for (const double number : {projector.scaleX, projector.scaleY, projector.pixels}) {
+                QVERIFY(std::isfinite(static_cast<float>(number)));
+            }
+            Cut cut(*scene->items[0].model);
+            cut.begin(projector, AffineMap{}, 1.0);
+            while (!cut.isComplete()) {
+                for (const Instance &instance : cut.next(100)) {
+                    QVERIFY(!std::isnan(instance.rows[0][3]));
+                }
+            }
+        }
+    }
+
+    /// Moving by nothing changes nothing, whatever way up the camera is; and the pivot is on its axis, before it.
+    void orbitStartsFromAnyCamera_data()
+    {
+        QTest::addColumn<glm::dvec3>("position");
+        QTest::addColumn<glm::dvec3>("rotation");
+        QTest::newRow("level") << glm::dvec3(0, 0, -9) << glm::dvec3(0, 0, 0);
+        QTest::newRow("rolled") << glm::dvec3(0, 0, -9) << glm::dvec3(0.1, 0.2, 1.3);
+        QTest::newRow("appendix A") << glm::dvec3(-48, 25, 64) << glm::dvec3(-0.0714, -2.5, 0);
+        QTest::newRow("upside down") << glm::dvec3(0, 0, -9) << glm::dvec3(0, 0, 3.14159);
+        QTest::newRow("straight down") << glm::dvec3(0, 9, 0) << glm::dvec3(-1.5707963267948966, 0, 0);
+        QTest::newRow("looking away") << glm::dvec3(0, 0, 9) << glm::dvec3(0, 0, 0);
+        QTest::newRow("inside") << glm::dvec3(0, 0, 0) << glm::dvec3(0.5, 1, 0);
+    }
+
+    void orbitStartsFromAnyCamera()
+    {
+        QFETCH(const glm::dvec3, position);
+        QFETCH(const glm::dvec3, rotation);
+        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
+        const Camera camera = cameraOf({position, rotation, false, 40, {}});
+        OrbitCamera orbit;
+        orbit.start(camera, *scene);
+        QVERIFY(orbit.camera() == camera);
+        const glm::dvec3 pivot = onScreen(camera, orbit.pivot(), 1.0);
+        QVERIFY(pivot.z > 0.0 && std::abs(pivot.x) < 1e-9 && std::abs(pivot.y) < 1e-9);
+        orbit.orbit({0.0, 0.0});
+        for (int axis = 0; axis < 3; ++axis) {
+            QVERIFY(glm::distance(orbit.camera().worldFromCamera[axis], camera.worldFromCamera[axis]) < 1e-9);
+        }
+        QVERIFY(glm::distance(orbit.camera().position, camera.position) < 1e-9);
+        QCOMPARE(orbit.camera().fieldOfView, 40.0);
+        orbit.fit(*scene, 1.0);
+        QVERIFY(std::abs(orbit.camera().worldFromCamera[0].y) < 1e-12);
+        QCOMPARE(orbit.camera().fieldOfView, 60.0);
+    }
+
     void startsFromTheDocumentedDirection()
     {
         const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
