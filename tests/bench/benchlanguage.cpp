@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/formats/fdoreader.h"
+#include "core/language/fdodocument.h"
 #include "texts.h"
 
 using namespace romanesco;
@@ -27,6 +28,22 @@ void read(benchmark::State &state, const TextShape &shape)
     state.counters["lines"] = lines;
     state.counters["per_line"] =
         benchmark::Counter(lines * passes, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+/// What an editor waits for at each key: a line more or less in the middle of a person's text, read and resolved.
+void keystroke(benchmark::State &state)
+{
+    const std::string without = findTextShape("person")->make(static_cast<std::size_t>(state.range(0)));
+    std::string with = without;
+    with.insert(with.find('\n', with.size() / 2) + 1, "v 1 2 3\n");
+    FdoDocument document(without);
+    bool isWith = false;
+    for (auto _ : state) {
+        isWith = !isWith;
+        document.setText(isWith ? with : without);
+        benchmark::DoNotOptimize(document.model.diagnostics.size());
+    }
+    state.counters["lines"] = static_cast<double>(document.syntax.lineCount());
 }
 
 void add(std::string_view name, std::initializer_list<std::int64_t> sizes)
@@ -56,6 +73,10 @@ int main(int argc, char **argv)
     add("one-set", {100'000, 200'000});
     add("long-comment", {50'000'000});
     add("errors", {100'000});
+    benchmark::RegisterBenchmark("keystroke/person", keystroke)
+        ->Unit(benchmark::kMillisecond)
+        ->Arg(10'000)
+        ->Arg(100'000);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;
