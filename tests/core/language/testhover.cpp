@@ -170,6 +170,19 @@ void TestHover::objectsSumUpTheirLevels_data()
         "t = 2, d = 1,000,000,000,000,000,000; ~1.64e301029995663981195 instances as written; mesh \"m.obj\"");
     row("m. \"m.obj\"\nr<m>. [k, #] m\ns<m>. [#] r 9223372036854775807\n<|$>. s 9223372036854775807",
         "<$> = <$>, the result; too many levels to count here; mesh \"m.obj\"");
+    // 9.99986e462
+    row("m. \"m.obj\"\nr<m>. [k, #, t.1] [k, t.1] m\n<|$>. r 595",
+        "<$> = <$>, the result; level sizes 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, 3, 2, … (1,190 levels); "
+        "t = 6, d = 595; ~1.00e463 instances as written; mesh \"m.obj\"");
+    // many levels one by one
+    const std::string pair = "[k, #] ";
+    std::string many = "|y. ";
+    for (int i = 0; i < 150; ++i) {
+        many += pair;
+    }
+    row((many + "\"y.obj\"").c_str(),
+        "y = object y; level sizes 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, … (150 levels); "
+        "~1.43e45 instances as written; mesh \"y.obj\"");
     // five levels of its own round five repeated ones
     row("m. \"m.obj\"\nr<m>. [k, #] m\nn. r 5\n|q<n>. [#] [#] [#] [#] [#] n",
         "q = recursive q around n; one iteration: level sizes 1, 1, 1, 1, 1; 1 instance as written; mesh \"m.obj\"");

@@ -180,6 +180,7 @@ void TestNavigation::pathsOfASceneLeadToTheirFiles()
     QCOMPARE(leadsTo("f \"tree.fdo\"|"), "tree.fdo f {\"tree.fdo\"}");
     QCOMPARE(leadsTo("|o \"car.obj\" #"), "nothing");
     QCOMPARE(leadsTo("c # # |60"), "nothing");
+    QCOMPARE(leadsTo("|o"), "nothing");
 }
 
 void TestNavigation::aCursorTouchesAWordAtEitherEnd()
@@ -307,7 +308,10 @@ void TestNavigation::anyBytesAndAnyOffset()
     QVERIFY(rc::check([] {
         const std::string text = *anyBytes();
         const FdoDocument document(text);
+        const SdoSyntax scene(text);
         for (std::size_t offset = 0; offset < endOfOffsets(text); ++offset) {
+            const std::optional<Target> file = definition(scene, offset);
+            RC_ASSERT((!file || (file->range.begin < file->range.end && file->range.end <= text.size())));
             const std::vector<Occurrence> found = uses(document, offset);
             const std::optional<Occurrence> here = occurrenceAt(document, offset);
             RC_ASSERT((here ? std::ranges::contains(found, here->range, &Occurrence::range) : found.empty()));
