@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <algorithm>
+
 #include <QTest>
 
 #include "core/scene/sceneloader.h"
@@ -38,6 +40,7 @@ private Q_SLOTS:
     void summariesOfAppendixB();
     void summariesOfWhatIsNotOneIteration();
     void growingIsTold();
+    void theSceneHasSomethingOfEverything();
 };
 
 void TestExamples::countsAreThoseOfTheWrittenOutFractal_data()
@@ -72,6 +75,11 @@ void TestExamples::countsAreThoseOfTheWrittenOutFractal_data()
     row("snowflake", 2, "294", "258", 2064);
     row("snowflake", 3, "2058", "1554", 12432);
     row("snowflake", 4, "14406", "9330", 74640);
+    row("terrain", 0, "1", "1", 36);
+    row("terrain", 1, "11", "11", 396);
+    row("terrain", 2, "121", "111", 3996);
+    row("terrain", 3, "1331", "1111", 39996);
+    row("terrain", 4, "14641", "11111", 399996);
     row("tree", 1, "5", "5", 100);
     row("tree", 2, "25", "21", 420);
     row("tree", 3, "125", "85", 1700);
@@ -101,9 +109,9 @@ void TestExamples::countsAreThoseOfTheWrittenOutFractal()
 void TestExamples::examplesAreFreeOfRemarks_data()
 {
     QTest::addColumn<QString>("path");
-    for (const char *name : {"appendix-b", "menger", "romanesco", "sierpinski", "snowflake", "tree", "two-sets"}) {
-        QTest::newRow(name)
-            << QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/%1.fdo").arg(QLatin1String(name));
+    for (const char *name : {"appendix-b.fdo", "menger.fdo", "romanesco.fdo", "sierpinski.fdo", "snowflake.fdo",
+                             "terrain.fdo", "terrain.sdo", "tree.fdo", "two-sets.fdo"}) {
+        QTest::newRow(name) << QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/%1").arg(QLatin1String(name));
     }
 }
 
@@ -163,6 +171,21 @@ void TestExamples::growingIsTold()
     QVERIFY(!summaryOf("0.5 0.5 -2").isContracting);
     QVERIFY(summaryOf("0 0 0").isContracting);
     QVERIFY(!summaryOf("0.5 0.5 0.5").iteration);
+}
+
+void TestExamples::theSceneHasSomethingOfEverything()
+{
+    const DiskFiles files;
+    const std::string path = ROMANESCO_SOURCE_DIR "/resources/examples/terrain.sdo";
+    const auto island = SceneLoader(files).load(path, files.read(path).value()).scene;
+    QVERIFY(island && island->camera && !island->lights.empty());
+    using Kind = SceneDescription::Kind;
+    for (const Kind kind : {Kind::Object, Kind::Fractal, Kind::Ball}) {
+        QVERIFY(std::ranges::contains(island->items, kind, &SceneItem::kind));
+    }
+    const Summary summary = summarise(*island);
+    QCOMPARE(summary.instancesAsWritten.toString(), "161056"); // 11^5 and five
+    QCOMPARE(summary.instancesDistinct->toString(), "111116"); // the words of 0 to 5 letters out of ten, and five
 }
 
 }
