@@ -15,6 +15,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSaveFile>
+#include <QSet>
 #include <QSettings>
 #include <QSplitter>
 #include <QTextBlock>
@@ -48,7 +49,8 @@ QString stateFile()
 
 QString fileFilter()
 {
-    return MainWindow::tr("Fractals (*.fdo);;Meshes (*.obj);;All files (*)");
+    return MainWindow::tr("Fractals and scenes (*.fdo *.sdo);;Fractals (*.fdo);;Scenes (*.sdo);;Meshes (*.obj);;"
+                          "All files (*)");
 }
 
 }
@@ -121,8 +123,11 @@ void MainWindow::createToolBar()
 void MainWindow::createMenus()
 {
     const WindowActions::OpenMenus menus = m_actions.fill(*menuBar());
-    for (const QString &name : QDir(examplesFolder).entryList({QStringLiteral("*.fdo")}, QDir::Files, QDir::Name)) {
-        QAction *action = menus.examples->addAction(QString(name).chopped(4));
+    const QStringList kinds{QStringLiteral("*.fdo"), QStringLiteral("*.sdo")};
+    for (const QString &name : QDir(examplesFolder).entryList(kinds, QDir::Files, QDir::Name)) {
+        const QString plain = name.chopped(4);
+        QAction *action =
+            menus.examples->addAction(name.endsWith(QLatin1String(".sdo")) ? tr("%1 (scene)").arg(plain) : plain);
         connect(action, &QAction::triggered, this, [this, name] { openFile(examplesFolder + u'/' + name); });
     }
     menus.window->addAction(m_problemsDock->toggleViewAction());
@@ -186,6 +191,9 @@ void MainWindow::connectViewActions()
     connect(m_actions.top, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Top); });
     connect(m_actions.orthographic, &QAction::toggled, this, [this](bool isOrthographic) {
         m_viewport.setProjection(isOrthographic ? Projection::Orthographic : Projection::Perspective);
+    });
+    connect(&m_viewport, &Viewport::projectionChanged, this, [this](Projection projection) {
+        m_actions.orthographic->setChecked(projection == Projection::Orthographic);
     });
     connect(m_actions.largerText, &QAction::triggered, this, [this] { m_editor->zoomBy(1); });
     connect(m_actions.smallerText, &QAction::triggered, this, [this] { m_editor->zoomBy(-1); });
@@ -286,7 +294,7 @@ bool MainWindow::saveFile(const QString &path)
     const bool wasExample = m_document.isExample();
     const QString whole = QFileInfo(path).absoluteFilePath();
     if (wasExample) {
-        takeMeshAlong(whole);
+        takeFilesAlong(whole);
     }
     if (const auto saved = m_document.saveAs(whole); !saved) {
         m_message->say(tr("Cannot save “%1”: %2. The text is still here, unsaved.").arg(path, saved.error()));
@@ -297,22 +305,28 @@ bool MainWindow::saveFile(const QString &path)
     return true;
 }
 
-/// An example names a mesh beside it. A copy of the example would not find it, so the mesh is copied too, unless a file
-/// of that name is there.
-void MainWindow::takeMeshAlong(const QString &textPath)
+/// An example names files beside it. A copy of the example would not find them, so they are copied too, unless a file of
+/// that name is there.
+void MainWindow::takeFilesAlong(const QString &textPath)
 {
-    const std::shared_ptr<const Scene> &scene = m_preview.lastGoodScene();
-    const QString mesh = scene ? QString::fromStdString(scene->items.front().model->meshPath) : QString();
-    const QString target = QFileInfo(textPath).dir().filePath(mesh);
-    QFile source(examplesFolder + u'/' + mesh);
-    if (mesh.isEmpty() || mesh.contains(u'/') || QFileInfo::exists(target) || !source.open(QIODevice::ReadOnly)) {
-        return;
+    QSet<QString> names;
+    if (const std::shared_ptr<const Scene> &scene = m_preview.lastGoodScene()) {
+        for (const SceneItem &item : scene->items) {
+            names << QString::fromStdString(item.path) << QString::fromStdString(item.model->meshPath);
+        }
     }
-    // Should this fail, the text says that its mesh is missing.
-    QSaveFile copy(target);
-    if (copy.open(QIODevice::WriteOnly)) {
-        copy.write(source.readAll());
-        copy.commit();
+    for (const QString &name : names) {
+        const QString target = QFileInfo(textPath).dir().filePath(name);
+        QFile source(examplesFolder + u'/' + name);
+        if (name.isEmpty() || name.contains(u'/') || QFileInfo::exists(target) || !source.open(QIODevice::ReadOnly)) {
+            continue;
+        }
+        // Should this fail, the text says that a file is missing.
+        QSaveFile copy(target);
+        if (copy.open(QIODevice::WriteOnly)) {
+            copy.write(source.readAll());
+            copy.commit();
+        }
     }
 }
 

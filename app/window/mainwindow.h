@@ -64,7 +64,7 @@ private:
     bool saveAs();
     /// Whether the text may go: it is saved, or need not be.
     [[nodiscard]] bool mayDropText();
-    void takeMeshAlong(const QString &textPath);
+    void takeFilesAlong(const QString &textPath);
 
     void startText();
     void build();

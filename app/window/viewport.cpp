@@ -57,6 +57,10 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     if (scene == m_scene) {
         return;
     }
+    // Who edits the line of the camera sees what it does.
+    const bool hasNewCamera = scene && scene->camera && m_scene
+        && !(m_scene->camera && cameraOf(*m_scene->camera) == cameraOf(*scene->camera));
+    m_resetsView = m_resetsView || hasNewCamera;
     m_scene = std::move(scene);
     m_isSceneNew = true;
     // A text that changes is followed coarsely where a fine picture takes its time.
@@ -168,9 +172,7 @@ void Viewport::drawOn()
     makeCurrent();
     if (m_resetsView && m_scene) {
         m_resetsView = false;
-        m_orbit.fit(*m_scene, aspect());
-        // Counts as a movement: nobody knows yet what a fine picture of this scene takes, and a coarse one is soon there.
-        cameraChanged();
+        startView();
     }
     beginPictureIfDue();
     m_renderer->step(slice);
@@ -178,6 +180,21 @@ void Viewport::drawOn()
     doneCurrent();
     if (hasNothingToDraw()) {
         m_drawing.stop();
+    }
+}
+
+void Viewport::startView()
+{
+    const Projection before = m_orbit.camera().projection;
+    if (m_scene->camera) {
+        m_orbit.start(cameraOf(*m_scene->camera), *m_scene);
+    } else {
+        m_orbit.fit(*m_scene, aspect());
+    }
+    // Counts as a movement: nobody knows yet what a fine picture of this scene takes, and a coarse one is soon there.
+    cameraChanged();
+    if (m_orbit.camera().projection != before) {
+        Q_EMIT projectionChanged(m_orbit.camera().projection);
     }
 }
 

@@ -23,10 +23,11 @@ public:
     explicit Viewport(QWidget *parent = nullptr);
     ~Viewport() override;
 
-    /// Null shows nothing but the background. The camera stays where it is.
+    /// Null shows nothing but the background. The camera stays where it is, unless the scene's own camera is another
+    /// than the last scene's: then the view starts anew from that.
     void setScene(std::shared_ptr<const Scene> scene);
 
-    /// The view of the beginning, all of the scene in it. A scene that comes before the first picture waits for it.
+    /// The view of the beginning: from the scene's own camera, or all of the scene in it. A scene that comes before the first picture waits for it.
     void resetView();
     /// All of the scene, from where the camera looks now.
     void fit();
@@ -80,6 +81,7 @@ private:
     void reportWhetherAvailable();
     void drawOn();
     [[nodiscard]] bool hasNothingToDraw() const;
+    void startView();
     void beginPictureIfDue();
     void announceProgress();
     void cameraChanged();

@@ -21,6 +21,14 @@ std::shared_ptr<const Scene> exampleScene(const char *name)
     return SceneLoader(files).load(path, files.read(path).value()).scene;
 }
 
+/// The Sierpinski example with a camera.
+std::shared_ptr<const Scene> withCamera(const SceneDescription::Camera &camera)
+{
+    Scene scene = *exampleScene("sierpinski.fdo");
+    scene.camera = camera;
+    return std::make_shared<const Scene>(std::move(scene));
+}
+
 /// The share of pixels that are brighter than the background ever is.
 double brightShare(const QImage &picture)
 {
@@ -83,6 +91,9 @@ private Q_SLOTS:
     void theWheelZoomsToThePointer();
     void sidesAndProjection();
     void theCameraStaysWhenTheSceneChanges();
+    void aSceneIsSeenFromItsOwnCamera();
+    void anOrthographicCameraIsTold();
+    void anotherCameraInTheTextIsFollowed();
     void movementIsFollowedByAFinePicture();
     void resizingMakesANewPicture();
 };
@@ -215,6 +226,53 @@ void TestViewport::theCameraStaysWhenTheSceneChanges()
     sample.viewport.setScene(exampleScene("menger.fdo"));
     QVERIFY(sample.waitForPicture());
     QVERIFY(before.position == sample.viewport.camera().position);
+}
+
+void TestViewport::aSceneIsSeenFromItsOwnCamera()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const auto scene = withCamera({{1, 2, -9}, {0.1, 0.2, 0.3}, false, 40, {}});
+    sample.viewport.setScene(scene);
+    sample.viewport.resetView();
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.camera() == cameraOf(*scene->camera));
+    // From there it orbits as usual, and comes back.
+    sample.drag(Qt::LeftButton, {}, {50, 50}, {51, 56});
+    QVERIFY(!(sample.viewport.camera() == cameraOf(*scene->camera)));
+    QVERIFY(glm::distance(sample.viewport.camera().position, glm::dvec3(1, 2, -9)) < 3.0);
+    sample.viewport.resetView();
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.camera() == cameraOf(*scene->camera));
+}
+
+void TestViewport::anOrthographicCameraIsTold()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    QSignalSpy changes(&sample.viewport, &Viewport::projectionChanged);
+    sample.viewport.setScene(withCamera({{0, 0, -9}, {0, 0, 0}, true, 4, {}}));
+    sample.viewport.resetView();
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(sample.viewport.camera().projection, Projection::Orthographic);
+    QCOMPARE(changes.count(), 1);
+    QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.02);
+}
+
+void TestViewport::anotherCameraInTheTextIsFollowed()
+{
+    Sample sample;
+    sample.viewport.setScene(withCamera({{1, 2, -9}, {0, 0, 0}, false, 40, {}}));
+    QVERIFY(sample.waitForPicture());
+    sample.drag(Qt::LeftButton, {}, {50, 50}, {110, 70});
+    const Camera moved = sample.viewport.camera();
+    // The same camera in another place of another text is no news.
+    sample.viewport.setScene(withCamera({{1, 2, -9}, {0, 0, 0}, false, 40, {7, 9}}));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.camera() == moved);
+    sample.viewport.setScene(withCamera({{1, 2, -8}, {0, 0, 0}, false, 40, {}}));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.camera().position == glm::dvec3(1, 2, -8));
 }
 
 void TestViewport::movementIsFollowedByAFinePicture()

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QFile>
+
+#include "app/window/mainwindow.h"
+#include "app/window/messagestrip.h"
+#include "app/window/problemsview.h"
+#include "app/window/viewport.h"
+#include "app/window/viewportpane.h"
+#include "editor/fdoeditor.h"
+#include "glapplication.h"
+
+namespace romanesco::test {
+
+/// The window with its example, and what tests look at in it.
+struct WindowSample {
+    QTemporaryDir folder;
+    MainWindow window;
+    FdoEditor &editor = *window.findChild<FdoEditor *>();
+    Viewport &viewport = *window.findChild<Viewport *>();
+    ViewportPane &pane = *window.findChild<ViewportPane *>();
+    ProblemsView &problems = *window.findChild<ProblemsView *>();
+    /// Copies drawn in the last pass over the scene.
+    std::uint64_t drawn = 0;
+
+    WindowSample()
+    {
+        QObject::connect(&viewport, &Viewport::pictureAdvanced, &window,
+                         [this](const DrawStatistics &statistics) { drawn = statistics.instances; });
+        window.resize(900, 600);
+        window.openExample();
+        window.show();
+    }
+    bool waitForPicture() const
+    {
+        return QTest::qWaitFor([&] { return drawn > 0 && viewport.isPictureFinished(); }, 120'000);
+    }
+    bool waitForEmptyPicture() const
+    {
+        return QTest::qWaitFor([&] { return drawn == 0 && viewport.isPictureFinished(); }, 120'000);
+    }
+    /// What the strip over the picture says.
+    [[nodiscard]] QString strip() const { return pane.strip().isVisible() ? pane.strip().text() : QString(); }
+    /// What the strip over the text says.
+    [[nodiscard]] QString message() const
+    {
+        for (const MessageStrip *strip : window.findChildren<MessageStrip *>()) {
+            if (strip != &pane.strip() && strip->isVisible()) {
+                return strip->text();
+            }
+        }
+        return {};
+    }
+    bool waitForStrip(bool isThere) const
+    {
+        return QTest::qWaitFor([&] { return !strip().isEmpty() == isThere; }, 20'000);
+    }
+    void placeCursorAt(const QString &text)
+    {
+        const QTextCursor found = editor.document()->find(text);
+        QTextCursor cursor = found;
+        cursor.setPosition(found.selectionStart());
+        editor.setTextCursor(cursor);
+    }
+    [[nodiscard]] QString path(const QString &name) const { return folder.filePath(name); }
+    [[nodiscard]] QString write(const QString &name, const QByteArray &bytes) const
+    {
+        QFile file(path(name));
+        if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) {
+            qFatal("cannot write %s", qPrintable(file.fileName()));
+        }
+        return file.fileName();
+    }
+    [[nodiscard]] static QByteArray read(const QString &path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be read)");
+    }
+};
+
+inline int squiggles(const FdoEditor &editor)
+{
+    int count = 0;
+    for (const QTextEdit::ExtraSelection &selection : editor.extraSelections()) {
+        count += selection.format.underlineStyle() == QTextCharFormat::WaveUnderline ? 1 : 0;
+    }
+    return count;
+}
+
+}
