@@ -10,6 +10,7 @@ namespace romanesco::cli {
 namespace {
 
 constexpr std::array commands = {
+    Command{"check", "FILE… [--json]", "tell all that is wrong or odd in files", runCheck},
     Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},
     Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--depth N] …",
             "draw one picture, without a display", runRender},

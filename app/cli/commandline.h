@@ -23,6 +23,7 @@ struct Command {
 /// The text of `romanesco --help`.
 [[nodiscard]] QString helpText();
 
+int runCheck(const QStringList &arguments);
 int runInfo(const QStringList &arguments);
 int runRender(const QStringList &arguments);
 

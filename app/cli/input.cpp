@@ -22,16 +22,25 @@ namespace romanesco::cli {
 
 namespace {
 
-std::expected<std::string, std::string> readText(const QString &file)
+constexpr QLatin1StringView standardInput("-");
+
+/// The files that the arguments name. The error is an exit status, after help or a complaint.
+std::expected<QStringList, int> parsed(QCommandLineParser &parser, const char *command, const QStringList &arguments)
 {
-    if (file != QLatin1String("-")) {
-        return DiskFiles().read(std::filesystem::path(QFile::encodeName(file).toStdString()));
+    const QString name = QStringLiteral("romanesco ") + QLatin1String(command);
+    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Print this text."));
+    parser.addOption(help);
+    const bool isUnderstood = parser.parse(QStringList{name} + arguments);
+    if (isUnderstood && parser.isSet(help)) {
+        // Without an application object Qt does not know the program's name.
+        std::print("{}", parser.helpText().replace(QLatin1String("<executable_name>"), name).toStdString());
+        return std::unexpected(Done);
     }
-    QFile input;
-    if (!input.open(stdin, QIODevice::ReadOnly)) {
-        return std::unexpected(input.errorString().toStdString());
+    if (!isUnderstood) {
+        complain(parser.errorText());
+        return std::unexpected(WrongUsage);
     }
-    return input.readAll().toStdString();
+    return parser.positionalArguments();
 }
 
 /// What --depth asks for: every .fdo text with another depth in it, so that everything after sees ordinary texts.
@@ -100,32 +109,60 @@ QCommandLineOption depthOption()
 std::expected<QString, int> parseArguments(QCommandLineParser &parser, const char *command,
                                            const QStringList &arguments)
 {
-    const QString name = QStringLiteral("romanesco ") + QLatin1String(command);
     parser.addPositionalArgument(QStringLiteral("FILE"),
                                  QStringLiteral("A .fdo, .sdo or .obj file; - is stdin, as .fdo."));
-    const QCommandLineOption help({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Print this text."));
-    parser.addOption(help);
-    const bool isUnderstood = parser.parse(QStringList{name} + arguments);
-    if (isUnderstood && parser.isSet(help)) {
-        // Without an application object Qt does not know the program's name.
-        std::print("{}", parser.helpText().replace(QLatin1String("<executable_name>"), name).toStdString());
-        return std::unexpected(Done);
+    const auto files = parsed(parser, command, arguments);
+    if (files && files->size() != 1) {
+        complain(
+            QStringLiteral("romanesco %1 takes one FILE, given %2").arg(QLatin1String(command)).arg(files->size()));
+        return std::unexpected(WrongUsage);
     }
-    if (!isUnderstood) {
-        complain(parser.errorText());
-    } else if (parser.positionalArguments().size() != 1) {
-        complain(QStringLiteral("%1 takes one FILE, given %2").arg(name).arg(parser.positionalArguments().size()));
-    } else {
-        return parser.positionalArguments().constFirst();
+    return files.transform([](const QStringList &one) { return one.constFirst(); });
+}
+
+std::expected<QStringList, int> parseFiles(QCommandLineParser &parser, const char *command,
+                                           const QStringList &arguments)
+{
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("One file or more; - is stdin, as .fdo."),
+                                 QStringLiteral("FILE..."));
+    auto files = parsed(parser, command, arguments);
+    if (files && files->isEmpty()) {
+        complain(QStringLiteral("romanesco %1 takes a FILE or more, given none").arg(QLatin1String(command)));
+        return std::unexpected(WrongUsage);
     }
-    return std::unexpected(WrongUsage);
+    if (files && files->count(standardInput) > 1) {
+        complain(QStringLiteral("stdin can be read once only"));
+        return std::unexpected(WrongUsage);
+    }
+    return files;
+}
+
+std::filesystem::path pathOf(const QString &file)
+{
+    return file == standardInput ? "stdin.fdo" : QFile::encodeName(file).toStdString();
+}
+
+std::string shownName(const QString &file)
+{
+    return file == standardInput ? "<stdin>" : file.toStdString();
+}
+
+std::expected<std::string, std::string> readText(const QString &file)
+{
+    if (file != standardInput) {
+        return DiskFiles().read(pathOf(file));
+    }
+    QFile input;
+    if (!input.open(stdin, QIODevice::ReadOnly)) {
+        return std::unexpected(input.errorString().toStdString());
+    }
+    return input.readAll().toStdString();
 }
 
 std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser)
 {
-    const bool isStandardInput = file == QLatin1String("-");
-    const std::filesystem::path path(isStandardInput ? "stdin.fdo" : QFile::encodeName(file).toStdString());
-    const std::string shown = isStandardInput ? "<stdin>" : file.toStdString();
+    const std::filesystem::path path = pathOf(file);
+    const std::string shown = shownName(file);
     const FileKind kind = fileKind(path);
     if (kind == FileKind::Other) {
         complain(QStringLiteral("%1: only .fdo, .sdo and .obj files can be read").arg(file));

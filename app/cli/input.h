@@ -3,10 +3,11 @@
 #pragma once
 
 #include <expected>
+#include <filesystem>
 #include <optional>
 #include <string>
 
-#include <QString>
+#include <QStringList>
 
 #include "core/scene/scene.h"
 
@@ -30,8 +31,19 @@ struct Input {
 [[nodiscard]] std::expected<QString, int> parseArguments(QCommandLineParser &parser, const char *command,
                                                          const QStringList &arguments);
 
-/// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's, or of every fractal's in a scene. Errors and warnings go to
-/// stderr as FILE:LINE:COL; the error is an exit status.
+/// The same for a command that takes one FILE or more.
+[[nodiscard]] std::expected<QStringList, int> parseFiles(QCommandLineParser &parser, const char *command,
+                                                         const QStringList &arguments);
+
+/// What FILE is in the file system; `-` stands in the current folder, as .fdo.
+[[nodiscard]] std::filesystem::path pathOf(const QString &file);
+/// What FILE is called in messages.
+[[nodiscard]] std::string shownName(const QString &file);
+/// The bytes of FILE (`-` is stdin), or a phrase that completes "cannot read …: ".
+[[nodiscard]] std::expected<std::string, std::string> readText(const QString &file);
+
+/// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's, or of every fractal's in a
+/// scene. Errors and warnings go to stderr as FILE:LINE:COL; the error is an exit status.
 [[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser);
 
 }

@@ -5,56 +5,17 @@
 #include <signal.h>
 
 #include <QDir>
-#include <QFile>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/cli/program.h"
 #include "tests/testmain.h"
 
-namespace {
-
-const QString examples = QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/");
-
-struct Outcome {
-    int status = -1;
-    bool isCrash = false;
-    QByteArray out;
-    QByteArray err;
-};
-
-Outcome outcomeOf(QProcess &process)
-{
-    process.waitForFinished(120'000);
-    return {process.exitCode(), process.exitStatus() == QProcess::CrashExit, process.readAllStandardOutput(),
-            process.readAllStandardError()};
-}
-
-Outcome run(const QStringList &arguments, const QByteArray &input = {},
-            const QProcessEnvironment &environment = QProcessEnvironment::systemEnvironment())
-{
-    QProcess process;
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(ROMANESCO_PROGRAM), arguments);
-    process.write(input);
-    process.closeWriteChannel();
-    return outcomeOf(process);
-}
-
-void write(const QString &path, const QByteArray &bytes)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    QCOMPARE(file.write(bytes), bytes.size());
-}
-
-const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
-}
+namespace romanesco::test {
 
 class TestCommands : public QObject
 {
@@ -216,6 +177,8 @@ private Q_SLOTS:
         row("no file", {"info"});
         row("two files", {"info", good, good});
         row("unknown option", {"info", "--colour", good});
+        row("nothing to check", {"check"});
+        row("stdin twice", {"check", "-", good, "-"});
         row("unknown command", {"exprot"});
         row("unknown global option", {"--colour"});
         row("two files to edit", {good, good});
@@ -411,6 +374,8 @@ private Q_SLOTS:
     }
 };
 
-ROMANESCO_TEST(TestCommands)
+}
+
+ROMANESCO_TEST(romanesco::test::TestCommands)
 
 #include "testcommands.moc"
