@@ -179,6 +179,10 @@ private Q_SLOTS:
         row("unknown option", {"info", "--colour", good});
         row("nothing to check", {"check"});
         row("stdin twice", {"check", "-", good, "-"});
+        row("nothing to format", {"format"});
+        row("a mesh to format", {"format", good, path("triangle.obj")});
+        row("a picture to format", {"format", "a.png"});
+        row("json of format", {"format", "--json", good});
         row("unknown command", {"exprot"});
         row("unknown global option", {"--colour"});
         row("two files to edit", {good, good});
