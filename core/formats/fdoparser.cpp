@@ -134,7 +134,7 @@ private:
                         tight = {previous.begin, peek().range.end};
                     }
                 }
-                if (i == 2 && hasComma[0] != hasComma[1]) {
+                if (i == 2 && hasComma[0] != hasComma[1] && peek().is(TokenKind::Number)) {
                     return parseMixedCommas(tight, joined(name, peek().range));
                 }
             }
