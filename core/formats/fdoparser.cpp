@@ -130,7 +130,7 @@ private:
                 hasComma[i - 1] = comma.is(TokenKind::Comma);
                 if (hasComma[i - 1]) {
                     take();
-                    if (comma.range.begin == previous.end && !lexer().isBlankBeforeNext()) {
+                    if (isBetweenDigits(comma.range.begin)) {
                         tight = {previous.begin, peek().range.end};
                     }
                 }
@@ -146,7 +146,7 @@ private:
         return parseEnd();
     }
 
-    /// `1,5 2`: a comma with no blanks round it is taken for a decimal comma.
+    /// `1,5 2`: a comma between two digits is taken for a decimal comma.
     bool parseMixedCommas(SourceRange tight, SourceRange all)
     {
         if (tight.length() == 0) {
@@ -157,16 +157,19 @@ private:
         return error(DiagnosticCode::DecimalComma, tight, {number}, decimalPoints(all.begin));
     }
 
+    [[nodiscard]] bool isBetweenDigits(std::size_t at) const
+    {
+        const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+        return at > 0 && at + 1 < line().size() && isDigit(line()[at - 1]) && isDigit(line()[at + 1]);
+    }
+
     /// A point for every comma between two digits.
     Fix decimalPoints(std::size_t begin) const
     {
-        const auto isDigit = [&](std::size_t at) {
-            return at < line().size() && line()[at] >= '0' && line()[at] <= '9';
-        };
         Fix fix{"Write decimal points", {}};
         const std::size_t end = std::min(line().find('#', begin), line().size());
         for (std::size_t comma = line().find(',', begin); comma < end; comma = line().find(',', comma + 1)) {
-            if (isDigit(comma - 1) && isDigit(comma + 1)) {
+            if (isBetweenDigits(comma)) {
                 fix.edits.push_back({{comma, comma + 1}, "."});
             }
         }
