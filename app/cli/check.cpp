@@ -13,7 +13,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/formats/fdoreader.h"
 #include "core/language/stability.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
@@ -23,17 +22,6 @@
 namespace romanesco::cli {
 
 namespace {
-
-/// What loading does not remark on, since it is right: hints.
-Diagnostics hintsFor(FileKind kind, const std::string &text)
-{
-    if (kind != FileKind::Fdo) {
-        return {};
-    }
-    const FdoDocument document(text);
-    const FdoResult read = describeFdo(document.syntax, document.model);
-    return read.description ? stabilityHints(document, *read.description) : Diagnostics();
-}
 
 /// A file with all that there is to remark on.
 struct Checked {
@@ -60,8 +48,10 @@ Checked check(SceneLoader &loader, const QString &file)
     }
     checked.text = std::move(*text);
     checked.diagnostics = loader.load(path, checked.text).diagnostics;
-    std::ranges::move(hintsFor(kind, checked.text), std::back_inserter(checked.diagnostics));
-    sortByPlace(checked.diagnostics);
+    if (kind == FileKind::Fdo) {
+        std::ranges::move(stabilityHints(checked.text), std::back_inserter(checked.diagnostics));
+        sortByPlace(checked.diagnostics);
+    }
     return checked;
 }
 

@@ -2,9 +2,13 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "previewcontroller.h"
 
+#include <algorithm>
+#include <iterator>
 #include <new>
 
 #include <QMetaObject>
+
+#include "core/language/stability.h"
 
 namespace romanesco {
 
@@ -41,6 +45,10 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
         SceneResult result = m_loader.load(job.path, job.text.bytes(), stop);
         preview.diagnostics = std::move(result.diagnostics);
         preview.scene = std::move(result.scene);
+        if (preview.scene && fileKind(job.path) == FileKind::Fdo && !stop.stop_requested()) {
+            std::ranges::move(stabilityHints(job.text.bytes()), std::back_inserter(preview.diagnostics));
+            sortByPlace(preview.diagnostics);
+        }
     } catch (const std::bad_alloc &) {
         // The text is worth more than its picture.
         preview.failure = tr("There is not enough memory for this fractal.");

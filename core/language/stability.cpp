@@ -9,6 +9,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/formats/fdoreader.h"
+
 namespace romanesco {
 
 namespace {
@@ -295,6 +297,13 @@ private:
 Diagnostics stabilityHints(const FdoDocument &document, const FractalDescription &description)
 {
     return Observer(document, description).observe();
+}
+
+Diagnostics stabilityHints(std::string_view text)
+{
+    const FdoDocument document{std::string(text)};
+    const FdoResult read = describeFdo(document.syntax, document.model);
+    return read.description ? stabilityHints(document, *read.description) : Diagnostics();
 }
 
 }

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <string_view>
+
 #include "core/formats/fractaldescription.h"
 #include "fdodocument.h"
 
@@ -14,5 +16,8 @@ namespace romanesco {
 /// Only sets that the result <$> is made of are looked at. (Equal maps are told by describeFdo().) The description must
 /// be of this document. Cost: some hundred nanoseconds for each use.
 [[nodiscard]] Diagnostics stabilityHints(const FdoDocument &document, const FractalDescription &description);
+
+/// The same for a text alone, which is read for it. Nothing where it has no meaning.
+[[nodiscard]] Diagnostics stabilityHints(std::string_view text);
 
 }

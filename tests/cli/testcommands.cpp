@@ -145,7 +145,7 @@ private Q_SLOTS:
         QTest::newRow("syntax error") << "syntax.fdo" << QByteArray("syntax.fdo:3:12: error: \",\" expected");
         QTest::newRow("missing mesh") << "nomesh.fdo" << QByteArray("nomesh.fdo:1:4: error: cannot read \"gone.obj\"");
         QTest::newRow("mesh beyond numbers")
-            << "huge.obj" << QByteArray("huge.obj:1:1: error: the fractal grows beyond what can be computed with");
+            << "huge.obj" << QByteArray("huge.obj:1:1: error: this grows beyond what can be computed with");
         QTest::newRow("file beyond memory") << "sparse.fdo" << QByteArray("larger than 2 GB");
         QTest::newRow("missing file") << "gone.fdo" << QByteArray("gone.fdo: no such file");
         QTest::newRow("folder") << "folder.fdo" << QByteArray("it is a directory");

@@ -116,6 +116,7 @@ private Q_SLOTS:
     void whatIsUnderWayIsForgottenToo();
     void aSceneIsCounted();
     void destructionDoesNotWaitForTheGate();
+    void whatMaySurpriseComesWithTheScene();
 };
 
 /// While the first text is held up, two more are given: the second never runs, the first never arrives.
@@ -210,6 +211,16 @@ void TestPreviewController::destructionDoesNotWaitForTheGate()
     sample.files->gate.release();
     sample.controller.reset();
     QVERIFY(sample.built.empty());
+}
+
+void TestPreviewController::whatMaySurpriseComesWithTheScene()
+{
+    const Sample sample;
+    sample.build(text(QStringLiteral("flat 1 0 1\nt. (#, #, flat)\nx. \"a.obj\"\n<$>. [t] x\n")));
+    QVERIFY(sample.waitForBuilt(1));
+    QVERIFY(sample.built[0].scene);
+    QCOMPARE(sample.built[0].diagnostics.size(), std::size_t{1});
+    QVERIFY(sample.built[0].diagnostics[0].code == DiagnosticCode::Singular);
 }
 
 QTEST_MAIN(TestPreviewController)

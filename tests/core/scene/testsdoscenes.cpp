@@ -171,11 +171,11 @@ void TestSdoScenes::whatIsWrongWithAFileIsSaidWhereItIsNamed_data()
         "dir/bad.obj:1:1: note: a vertex has three coordinates, found 1");
     row("fractal that only warns", "f \"warns.fdo\" #", "");
     row("fractal that grows", "f \"grows.fdo\" #",
-        "s.sdo:1:3: error: cannot use \"grows.fdo\": line 4, column 11: the fractal grows beyond what can be computed "
+        "s.sdo:1:3: error: cannot use \"grows.fdo\": line 4, column 11: this grows beyond what can be computed "
         "with (1e154)\n"
-        "grows.fdo:4:11: note: the fractal grows beyond what can be computed with (1e154)");
+        "grows.fdo:4:11: note: this grows beyond what can be computed with (1e154)");
     row("mesh that is huge", "o \"huge.obj\" #",
-        "s.sdo:1:3: error: the fractal grows beyond what can be computed with (1e154)");
+        "s.sdo:1:3: error: this grows beyond what can be computed with (1e154)");
     row("its own error", "o \"x.obj\"\n",
         "s.sdo:1:10: error: a transformation in parentheses or # expected, found the "
         "end of the line");
