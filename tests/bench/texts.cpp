@@ -161,6 +161,38 @@ std::string errors(std::size_t lines)
     return text + "<$>. [t.1] o0\n";
 }
 
+/// What somebody could place in a scene, item by item.
+std::string scene(std::size_t lines)
+{
+    std::string text = "# A scene\nc (1, 2, -3) (0.1, -0.2, 0) 60\n";
+    for (std::size_t i = 0; i < lines / 4; ++i) {
+        add(text, "o \"house_{0}.obj\" (({0}, 0, 2.5), #, (1, 1, 1.5)) # number {0}\n", i);
+        add(text, "f \"tree.fdo\" (({}, 0, 0), (0, {}.5, 0), #)\n", i, i % 360);
+        add(text, "p \"ball.obj\" ((0, {}, 0), #, #) 0.6 (1, 0, -2e-1)\n", i);
+        add(text, "l ({}, 40, -10) (1, 0.95, 0.9)\n", i);
+    }
+    return text;
+}
+
+std::string sceneErrors(std::size_t lines)
+{
+    static constexpr std::string_view kinds[] = {
+        "o \"a.obj\"\n",        "f \"a.obj\" #\n",         "p \"a.obj\" # 7\n", "l (1, 2 3) #\n",
+        "c (1,5 2,5 3) # 60\n", "o \"a.obj\" ((((\n",      "camera\n",          "x\n",
+        "o \"a.obj # #\n",      "\xFF\xC3\xA4 \xE2\x82\n",
+    };
+    std::string text;
+    for (std::size_t i = 0; i < lines; ++i) {
+        text += kinds[i % std::size(kinds)];
+    }
+    return text;
+}
+
+std::string sceneBrackets(std::size_t count)
+{
+    return "o \"a.obj\" " + std::string(count, '(') + '\n';
+}
+
 constexpr TextShape shapes[] = {
     {"person", person, 2'500, 100'000, true},
     {"chained", chained, 5'000, 100'000, true},
@@ -174,6 +206,9 @@ constexpr TextShape shapes[] = {
     {"same-prefix", samePrefix, 2'500, 100'000, false}, // nothing uses them
     {"same-name", sameName, 5'000, 100'000, false},
     {"errors", errors, 5'000, 100'000, false},
+    {"scene", scene, 5'000, 100'000, true},
+    {"scene-errors", sceneErrors, 5'000, 100'000, false},
+    {"scene-brackets", sceneBrackets, 300'000, 1'000'000, false},
 };
 
 }

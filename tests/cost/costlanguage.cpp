@@ -9,24 +9,43 @@
 #include <pthread.h>
 
 #include "core/formats/fdoreader.h"
+#include "core/formats/sdoreader.h"
 #include "tests/bench/texts.h"
 
 using namespace romanesco;
 
 namespace {
 
+struct Reading {
+    Diagnostics diagnostics;
+    bool hasMeaning = false;
+};
+
+/// In the language that the shape's name says.
+Reading readText(std::string_view shape, std::string_view text)
+{
+    if (shape.starts_with("scene")) {
+        SdoResult result = readSdo(text);
+        const SdoResult copy = result; // copying and destroying may recurse too
+        return {copy.diagnostics, copy.description.has_value()};
+    }
+    const FdoResult result = readFdo(text);
+    const FdoResult copy = result;
+    return {copy.diagnostics, copy.description.has_value()};
+}
+
 /// Reads a text of the shape on a stack of some kilobytes: what a file says must not decide how deep calls go. A stack
 /// that is used up is a crash.
 int readOnSmallStack(const TextShape &shape, std::size_t kilobytes)
 {
     struct Job {
+        std::string_view shape;
         std::string text;
-        FdoResult result;
-    } job{shape.make(shape.largeSize), {}};
+        Reading result;
+    } job{shape.name, shape.make(shape.largeSize), {}};
     const auto read = [](void *argument) -> void * {
         auto &work = *static_cast<Job *>(argument);
-        work.result = readFdo(work.text);
-        const FdoResult copy = work.result; // copying and destroying may recurse too
+        work.result = readText(work.shape, work.text);
         return nullptr;
     };
     pthread_attr_t attributes;
@@ -38,7 +57,7 @@ int readOnSmallStack(const TextShape &shape, std::size_t kilobytes)
         return 1;
     }
     pthread_join(thread, nullptr);
-    if (shape.isRight && (!job.result.description || !job.result.diagnostics.empty())) {
+    if (shape.isRight && (!job.result.hasMeaning || !job.result.diagnostics.empty())) {
         std::fprintf(stderr, "%s is meant to be right: %s\n", std::string(shape.name).c_str(),
                      job.result.diagnostics.empty() ? "no result" : job.result.diagnostics[0].message().c_str());
         return 1;
@@ -53,16 +72,16 @@ int readOnSmallStack(const TextShape &shape, std::size_t kilobytes)
 }
 
 /// cost_language make SHAPE TIMES    writes a text of TIMES the shape's small size
-/// cost_language read FILE           reads it: what a count of instructions is taken of
+/// cost_language read SHAPE FILE     reads it: what a count of instructions is taken of
 /// cost_language stack SHAPE KB      reads one of its large size on a small stack
 int main(int argc, char **argv)
 {
-    const std::string_view mode = argc == 3 || argc == 4 ? argv[1] : "";
-    if (mode == "read" && argc == 3) {
-        std::ifstream file(argv[2], std::ios::binary);
+    const std::string_view mode = argc == 4 ? argv[1] : "";
+    if (mode == "read" && argc == 4) {
+        std::ifstream file(argv[3], std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-        const FdoResult result = readFdo(text);
-        return file && (result.description || !result.diagnostics.empty()) ? 0 : 1;
+        const Reading result = readText(argv[2], text);
+        return file && (result.hasMeaning || !result.diagnostics.empty()) ? 0 : 1;
     }
     const TextShape *shape = argc == 4 ? findTextShape(argv[2]) : nullptr;
     if (shape != nullptr && mode == "stack") {
@@ -72,6 +91,6 @@ int main(int argc, char **argv)
         const std::string text = shape->make(shape->smallSize * std::strtoull(argv[3], nullptr, 10));
         return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? 0 : 1;
     }
-    std::fprintf(stderr, "usage: cost_language make SHAPE TIMES | read FILE | stack SHAPE KB\n");
+    std::fprintf(stderr, "usage: cost_language make SHAPE TIMES | read SHAPE FILE | stack SHAPE KB\n");
     return 1;
 }
