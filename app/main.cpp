@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <print>
 
@@ -67,6 +69,16 @@ int runEditor(int argc, char *argv[], const QString &file)
     return QApplication::exec();
 }
 
+/// What was printed may still be lost: the disk is full, or nobody reads.
+int flushed(int status)
+{
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+        return status;
+    }
+    cli::complain(QStringLiteral("cannot write the output: %1").arg(QString::fromLocal8Bit(std::strerror(errno))));
+    return cli::CannotDo;
+}
+
 int usageError(const QString &words)
 {
     cli::complain(words + QStringLiteral("; \"romanesco --help\" lists what there is"));
@@ -92,15 +104,15 @@ int main(int argc, char *argv[])
     const QString first = arguments.takeFirst();
     if (first == QLatin1String("--help") || first == QLatin1String("-h")) {
         std::print("{}", cli::helpText().toStdString());
-        return cli::Done;
+        return flushed(cli::Done);
     }
     if (first == QLatin1String("--version")) {
         std::println("romanesco {}", ROMANESCO_VERSION);
-        return cli::Done;
+        return flushed(cli::Done);
     }
     if (const cli::Command *command = cli::findCommand(first)) {
         try {
-            return command->run(arguments);
+            return flushed(command->run(arguments));
         } catch (const std::bad_alloc &) {
             cli::complain(QStringLiteral("there is not enough memory for this"));
             return cli::CannotDo;

@@ -130,8 +130,9 @@ std::size_t Cut::memoryHeld() const
 void Cut::forget()
 {
     m_table.forget();
-    m_open = {};
-    m_ready = {};
+    // assigning {} would keep the memory
+    m_open = std::vector<Node>();
+    m_ready = std::vector<Instance>();
 }
 
 void Cut::visit(const Node &node)

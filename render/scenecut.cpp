@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace romanesco {
 
@@ -29,6 +30,7 @@ SceneCut::SceneCut(const Scene &scene)
 
 void SceneCut::begin(const Projector &projector, double pixelTolerance)
 {
+    dropSpent();
     m_projector = projector;
     m_tolerance = pixelTolerance;
     m_item = 0;
@@ -40,6 +42,7 @@ void SceneCut::begin(const Projector &projector, double pixelTolerance)
 
 const std::vector<Instance> &SceneCut::next(std::size_t count)
 {
+    dropSpent();
     Part &part = m_parts[m_partOf[m_item]];
     if (!m_isItemBegun) {
         m_isItemBegun = true;
@@ -62,13 +65,20 @@ void SceneCut::finishItem()
     m_instances += part.cut.instanceCount();
     m_visited += part.cut.statesVisited();
     if (m_parts.size() > 1 && m_bytes > mostBytesAtRest) {
-        part.cut.forget();
-        m_bytes -= part.bytes;
-        part.bytes = part.cut.memoryHeld();
-        m_bytes += part.bytes;
+        m_spent = &part; // its copies are still looked at
     }
     ++m_item;
     m_isItemBegun = false;
+}
+
+void SceneCut::dropSpent()
+{
+    if (Part *part = std::exchange(m_spent, nullptr)) {
+        part->cut.forget();
+        m_bytes -= part->bytes;
+        part->bytes = part->cut.memoryHeld();
+        m_bytes += part->bytes;
+    }
 }
 
 }

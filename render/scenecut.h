@@ -36,6 +36,7 @@ public:
 
 private:
     void finishItem();
+    void dropSpent();
 
     /// What is drawn of a model, and the bytes that its cut held when it was looked at last.
     struct Part {
@@ -48,6 +49,8 @@ private:
     /// By item, its model's.
     std::vector<std::size_t> m_partOf;
     std::size_t m_item = 0;
+    /// The part whose last copies were handed out, to be forgotten once they are used.
+    Part *m_spent = nullptr;
     bool m_isItemBegun = false;
     Projector m_projector;
     double m_tolerance = 1.0;

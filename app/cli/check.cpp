@@ -123,7 +123,7 @@ QJsonArray json(const std::vector<Note> &notes, const std::string &file)
     QJsonArray array;
     for (const Note &note : notes) {
         QJsonObject object = place(note.position);
-        object[QStringLiteral("file")] = words(note.file.empty() ? file : note.file);
+        object[QStringLiteral("file")] = words(seenFrom(file, note.file));
         object[QStringLiteral("message")] = words(note.message());
         array.append(object);
     }

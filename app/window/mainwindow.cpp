@@ -172,6 +172,7 @@ void MainWindow::connectEditActions()
     }
     connect(m_editor, &QPlainTextEdit::cursorPositionChanged, this, &MainWindow::showCursorPlace);
     connect(m_problems, &ProblemsView::chosen, this, &MainWindow::goTo);
+    connect(m_problems, &ProblemsView::chosenElsewhere, this, &MainWindow::goToFile);
 
     connect(m_depthControl, &DepthControl::depthEdited, this, [this](quint64 depth) { m_depth.setValue(depth); });
     connect(m_depthControl, &DepthControl::dragBegan, this, [this] { m_depth.beginGesture(); });
@@ -462,6 +463,15 @@ void MainWindow::updateTitle()
 void MainWindow::goTo(SourceRange range, const TextSnapshot &text)
 {
     m_editor->goTo(range, text);
+}
+
+/// file is named as in the text.
+void MainWindow::goToFile(const QString &file, TextPosition position)
+{
+    if (openFile(QFileInfo(m_document.path()).dir().filePath(file))) {
+        const std::size_t offset = LineMap(m_document.text().bytes()).offset(position);
+        goTo({offset, offset}, m_document.text());
+    }
 }
 
 void MainWindow::setFullScreen(bool isFull)

@@ -75,6 +75,7 @@ private:
     void updateTitle();
     void updateDepth();
     void goTo(SourceRange range, const TextSnapshot &text);
+    void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
     void showAbout();
 

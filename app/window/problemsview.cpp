@@ -64,13 +64,28 @@ ProblemsView::ProblemsView(QWidget *parent)
     setUniformRowHeights(true);
     setFrameShape(NoFrame);
     setColumnCount(2);
-    const auto choose = [this](QTreeWidgetItem *item) {
-        if (item->flags() != Qt::NoItemFlags) {
-            Q_EMIT chosen(m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(item))].range, m_text);
-        }
-    };
-    connect(this, &QTreeWidget::itemClicked, this, choose);
-    connect(this, &QTreeWidget::itemActivated, this, choose);
+    setItemsExpandable(false);
+    connect(this, &QTreeWidget::itemClicked, this, &ProblemsView::choose);
+    connect(this, &QTreeWidget::itemActivated, this, &ProblemsView::choose);
+}
+
+void ProblemsView::choose(QTreeWidgetItem *item)
+{
+    if (item->flags() == Qt::NoItemFlags) {
+        return;
+    }
+    QTreeWidgetItem *parent = item->parent();
+    const Diagnostic &diagnostic = m_diagnostics[static_cast<std::size_t>(indexOfTopLevelItem(parent ? parent : item))];
+    if (!parent) {
+        Q_EMIT chosen(diagnostic.range, m_text);
+        return;
+    }
+    const Note &note = diagnostic.notes[static_cast<std::size_t>(parent->indexOfChild(item))];
+    if (note.file.empty()) {
+        Q_EMIT chosen(note.range, m_text);
+    } else {
+        Q_EMIT chosenElsewhere(QString::fromStdString(note.file), note.position);
+    }
 }
 
 void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagnostics, const TextSnapshot &text)
@@ -92,7 +107,9 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
         item->setText(Message, message);
         item->setToolTip(Message, message);
         item->setData(Message, Qt::AccessibleTextRole, tr("%1: %2", "severity: message").arg(word, message));
+        addNotes(file, diagnostic, *item);
     }
+    expandAll();
     if (diagnostics.size() > mostRows) {
         auto *rest = new QTreeWidgetItem(this);
         rest->setText(Message, tr("and %1 more").arg(diagnostics.size() - mostRows));
@@ -100,6 +117,20 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
     }
     resizeColumnToContents(Place);
     setColumnWidth(Place, columnWidth(Place) + columnGap);
+}
+
+void ProblemsView::addNotes(const QString &file, const Diagnostic &diagnostic, QTreeWidgetItem &parent)
+{
+    for (const Note &note : diagnostic.notes) {
+        const QString where = note.file.empty() ? file : QString::fromStdString(note.file);
+        const QString message = QString::fromStdString(note.message());
+        auto *item = new QTreeWidgetItem(&parent);
+        item->setText(Place, QStringLiteral("%1:%2:%3").arg(where).arg(note.position.line).arg(note.position.column));
+        item->setFont(Place, parent.font(Place));
+        item->setText(Message, message);
+        item->setToolTip(Message, message);
+        item->setData(Message, Qt::AccessibleTextRole, tr("Note: %1").arg(message));
+    }
 }
 
 void ProblemsView::paintEvent(QPaintEvent *event)

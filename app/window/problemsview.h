@@ -11,7 +11,7 @@
 
 namespace romanesco {
 
-/// The list of all that is said about a text: where, and what.
+/// The list of all that is said about a text: where, and what. The other places that a problem is about stand below it.
 class ProblemsView : public QTreeWidget
 {
     Q_OBJECT
@@ -30,8 +30,13 @@ protected:
 Q_SIGNALS:
     /// The user wants to see a range of the text.
     void chosen(romanesco::SourceRange range, const romanesco::TextSnapshot &text);
+    /// The user wants to see a place in another file, which is named as in the text.
+    void chosenElsewhere(const QString &file, romanesco::TextPosition position);
 
 private:
+    void choose(QTreeWidgetItem *item);
+    void addNotes(const QString &file, const Diagnostic &diagnostic, QTreeWidgetItem &parent);
+
     TextSnapshot m_text;
     Diagnostics m_diagnostics;
 };

@@ -65,6 +65,10 @@ private:
             add(VectorDeclaration{name},
                 error(DiagnosticCode::BlankAfterVectorName, {first.range.end, next.range.end},
                       {std::string(first.text)}, insertion("Insert a blank", first.range.end, " ")));
+        } else if (first.text == "v" && next.is(TokenKind::Less)) {
+            add(UnknownDeclaration{name}, error(DiagnosticCode::ReservedName, first.range, {"this one"}));
+        } else if (first.text == "v" && isDotAndNumber()) {
+            add(VectorDeclaration{name}, expected("a number", next, replacement("Remove the dot", next.range, "")));
         } else if (next.is(TokenKind::Number) || (first.text == "v" && !next.is(TokenKind::Dot))) {
             VectorDeclaration vector{name};
             const bool isGood = parseVector(vector, first.range);
@@ -81,6 +85,13 @@ private:
         } else {
             add(UnknownDeclaration{name}, error(DiagnosticCode::ExpectedAfterName, next.range, {described(next)}));
         }
+    }
+
+    /// `v. 1 1 1`: meant as a vector, which keeps its number.
+    bool isDotAndNumber() const
+    {
+        LineLexer ahead = lexer();
+        return ahead.take().is(TokenKind::Dot) && ahead.peek().is(TokenKind::Number);
     }
 
     /// Whether two of the words left are numbers, as in `half nan 0 0`: meant as a vector, which keeps its number.
@@ -143,6 +154,11 @@ private:
                 return false;
             }
         }
+        if (peek().is(TokenKind::Comma) && isBetweenDigits(peek().range.begin)) {
+            LineLexer ahead = lexer();
+            ahead.take();
+            return parseMixedCommas(joined(previous, ahead.peek().range), joined(name, ahead.peek().range));
+        }
         return parseEnd();
     }
 
@@ -183,6 +199,14 @@ private:
         LineLexer ahead = lexer();
         const Token first = ahead.take();
         const Token second = ahead.peek();
+        const bool isPath =
+            first.is(TokenKind::Name) && hasEnding(line().substr(0, endOfWord(first.range.begin)), ".obj");
+        if (isPath) { // without its quotes
+            ObjectDeclaration object{name};
+            SourceRange quoted;
+            add(std::move(object), parseString(quoted));
+            return;
+        }
         const bool isTransformation = first.is(TokenKind::OpenParenthesis)
             || (first.is(TokenKind::Name) && (second.is(TokenKind::Dot) || second.is(TokenKind::OpenParenthesis)));
         if (isTransformation) {
@@ -194,6 +218,12 @@ private:
             const bool isGood = parseValue(object.value);
             add(std::move(object), isGood);
         }
+    }
+
+    /// Where blanks, a comment or the line end what begins there.
+    [[nodiscard]] std::size_t endOfWord(std::size_t begin) const
+    {
+        return std::min(line().find_first_of(" \t\v\f#([", begin), line().size());
     }
 
     bool parseTransformation(TransformationDeclaration &transformation)
@@ -313,7 +343,7 @@ private:
         case TokenKind::Less:
             return error(DiagnosticCode::ResultAsBase, token.range);
         default:
-            return error(DiagnosticCode::ValueExpected, token.range);
+            return error(DiagnosticCode::ValueExpected, token.range, {described(token)});
         }
     }
 

@@ -101,6 +101,7 @@ private:
     {
         const auto index = static_cast<std::uint32_t>(m_model.vectors.size());
         m_model.vectors.push_back({vector.value, m_line, isBad});
+        m_usedVectors.push_back(false);
         if (vector.name.name == m_syntax.plainVector() || vector.name.name == NameTable::nameless) {
             return;
         }
@@ -229,11 +230,12 @@ private:
                 return false;
             }
             index = number - 1;
+            m_usedVectors[index] = true;
             return !m_model.vectors[index].isBad;
         }
         Symbol &symbol = m_model.symbols[reference.word.name];
         symbol.isUsed = true;
-        if (symbol.kind == SymbolKind::Unknown) {
+        if (symbol.kind == SymbolKind::Unknown || (symbol.isBad && symbol.kind != SymbolKind::Vector)) {
             return false;
         }
         if (symbol.kind != SymbolKind::Vector) {
@@ -278,12 +280,15 @@ private:
             report(DiagnosticCode::UnknownName, name.range, {m_syntax.name(name)});
             return nullptr;
         }
-        if (symbol.kind != kind && symbol.kind != otherKind && symbol.kind != SymbolKind::Unknown) {
+        if (symbol.isBad) { // what was meant is a guess
+            return nullptr;
+        }
+        if (symbol.kind != kind && symbol.kind != otherKind) {
             report(mismatch, name.range, {m_syntax.name(name), described(symbol.kind)})
                 .notes.push_back(declaredHere(symbol.line));
             return nullptr;
         }
-        return symbol.isBad ? nullptr : &symbol;
+        return &symbol;
     }
 
     /// One message a line: the first wrong use ends it.
@@ -362,14 +367,14 @@ private:
         object.base = symbol->index;
         if (object.next == ObjectNode::none || !forest.standsOn(object.next, object.base)) {
             const std::string name = m_syntax.name(node.name);
-            std::string chain = name;
+            std::string chain = shortened(name);
             std::uint32_t last = object.line;
             if (object.next != ObjectNode::none) {
                 chain += " → " + forest.chain(object.next, m_syntax.names());
                 last = forest[forest.meshNode(object.next)].line;
             }
             const auto &mesh = std::get<ObjectDeclaration>(m_syntax.line(last).declaration).value.inner;
-            chain += std::format(" → {}", m_syntax.words(last, mesh.range));
+            chain += " → " + shortened(m_syntax.words(last, mesh.range));
             report(DiagnosticCode::BaseNotReached, node.base->range, {name, m_syntax.name(*node.base), chain})
                 .notes.push_back(declaredHere(symbol->line));
             return false;
@@ -392,7 +397,7 @@ private:
             return;
         }
         for (const Symbol &symbol : m_model.symbols) {
-            const bool isNumbered = symbol.kind == SymbolKind::Vector;
+            const bool isNumbered = symbol.kind == SymbolKind::Vector && m_usedVectors[symbol.index];
             if (symbol.kind != SymbolKind::Undeclared && !symbol.isUsed && !symbol.isBad && !isNumbered) {
                 const Word &name = nameIn(symbol.line);
                 reportInText(DiagnosticCode::Unused, m_syntax.range(symbol.line, name.range), {m_syntax.name(name)});
@@ -438,6 +443,8 @@ private:
     const FdoSyntax &m_syntax;
     FdoModel m_model;
     bool m_hasText = true;
+    /// By number, beside the model's vectors.
+    std::vector<bool> m_usedVectors;
     std::uint32_t m_line = 0;
     /// Whether an error of this line was reported.
     bool m_isTold = false;

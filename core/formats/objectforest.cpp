@@ -23,6 +23,19 @@ Position saturatedProduct(Position a, Position b)
 
 }
 
+std::string shortened(std::string_view words)
+{
+    constexpr std::size_t longest = 60;
+    if (words.size() <= longest) {
+        return std::string(words);
+    }
+    std::size_t end = longest;
+    while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) {
+        --end; // not within a character
+    }
+    return std::string(words.substr(0, end)) + "…";
+}
+
 std::uint32_t ObjectForest::add(ObjectNode node)
 {
     const auto index = static_cast<std::uint32_t>(m_nodes.size());
@@ -49,14 +62,9 @@ std::uint32_t ObjectForest::add(ObjectNode node)
     return index;
 }
 
-bool ObjectForest::standsOn(std::uint32_t node, std::uint32_t below) const
+bool ObjectForest::standsOn(std::uint32_t node, std::uint32_t other) const
 {
-    const std::uint32_t height = m_nodes[below].height;
-    while (m_nodes[node].height > height) {
-        const std::uint32_t jump = m_nodes[node].jump;
-        node = m_nodes[jump].height >= height ? jump : m_nodes[node].next;
-    }
-    return node == below;
+    return below(node, m_nodes[other].height) == other;
 }
 
 std::string ObjectForest::chain(std::uint32_t node, const NameTable &names) const
@@ -69,13 +77,11 @@ std::string ObjectForest::chain(std::uint32_t node, const NameTable &names) cons
         text += text.empty() ? "" : " → ";
         if (shown == shownAtTop && at.height > 2) {
             text += "…";
-            while (m_nodes[node].height > 1) {
-                node = m_nodes[node].next;
-            }
+            node = below(node, 1);
             shown = 0;
             continue;
         }
-        text += names[at.name];
+        text += shortened(names[at.name]);
         ++shown;
         node = at.next;
     }
@@ -143,8 +149,14 @@ ObjectForest::Origin ObjectForest::origin(std::uint32_t node, Position position)
 
 std::uint32_t ObjectForest::meshNode(std::uint32_t node) const
 {
-    while (m_nodes[node].next != ObjectNode::none) {
-        node = m_nodes[node].next;
+    return below(node, 0);
+}
+
+std::uint32_t ObjectForest::below(std::uint32_t node, std::uint32_t height) const
+{
+    while (m_nodes[node].height > height) {
+        const std::uint32_t jump = m_nodes[node].jump;
+        node = m_nodes[jump].height >= height ? jump : m_nodes[node].next;
     }
     return node;
 }

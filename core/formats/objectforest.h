@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/text/nametable.h"
@@ -46,6 +47,9 @@ struct ObjectNode {
     Position iterationLevels = 0;
 };
 
+/// A name or a path as part of a longer message: of a long one only the start.
+[[nodiscard]] std::string shortened(std::string_view words);
+
 class ObjectForest
 {
 public:
@@ -55,10 +59,11 @@ public:
     /// Adds a node whose sets, inner part and next are filled in, and works out the rest.
     std::uint32_t add(ObjectNode node);
 
-    /// Whether `below` is `node` itself or stands under it.
-    [[nodiscard]] bool standsOn(std::uint32_t node, std::uint32_t below) const;
+    /// Whether `other` is `node` itself or stands under it.
+    [[nodiscard]] bool standsOn(std::uint32_t node, std::uint32_t other) const;
 
-    /// "y → k → a", from the node down to the one that holds the mesh, shortened in the middle.
+    /// "y → k → a", from the node down to the one that holds the mesh, shortened in the middle, long names too. Costs a
+    /// logarithm of the nodes.
     [[nodiscard]] std::string chain(std::uint32_t node, const NameTable &names) const;
 
     /// All levels from the node down to its mesh. Iterative; cost linear in the nodes passed.
@@ -81,10 +86,13 @@ public:
     /// logarithm of the nodes for each recursive round it.
     [[nodiscard]] Origin origin(std::uint32_t node, Position position) const;
 
-    /// The node that holds the mesh under a node.
+    /// The node that holds the mesh under a node. Costs a logarithm of the nodes.
     [[nodiscard]] std::uint32_t meshNode(std::uint32_t node) const;
 
 private:
+    /// The node of that height under a node, or itself.
+    [[nodiscard]] std::uint32_t below(std::uint32_t node, std::uint32_t height) const;
+
     std::vector<ObjectNode> m_nodes;
 };
 

@@ -265,11 +265,23 @@ private:
         if (!token.is(TokenKind::Number)) {
             return parseEnd();
         }
+        // words after # are a comment that lacks its own #
         const std::size_t begin = lastEnd();
-        take();
+        LineLexer ahead = lexer();
+        SourceRange all = ahead.take().range;
+        if (ahead.peek().is(TokenKind::OpenParenthesis)) {
+            Token inside = ahead.take();
+            while (!inside.is(TokenKind::EndOfLine) && !inside.is(TokenKind::CloseParenthesis)) {
+                inside = ahead.take();
+            }
+            all = joined(all, inside.range);
+        }
+        if (!ahead.peek().is(TokenKind::EndOfLine) && !ahead.peek().is(TokenKind::Hash)) {
+            return parseEnd();
+        }
         return error(DiagnosticCode::RestitutionBelongsToBall, token.range,
                      {std::string(token.text), std::string(m_letter.text)},
-                     replacement("Remove it", {begin, token.range.end}, ""));
+                     replacement("Remove it", {begin, all.end}, ""));
     }
 
     // ---- Numbers, vectors, transformations

@@ -3,6 +3,9 @@
 #include "renumbering.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
 
 namespace romanesco {
 
@@ -23,7 +26,8 @@ class Renumberer
 {
 public:
     Renumberer(const FdoDocument &before, const FdoDocument &after)
-        : m_after(after.syntax)
+        : m_before(before)
+        , m_after(after)
     {
         const LineMap &old = before.syntax.map();
         const LineMap &now = after.syntax.map();
@@ -54,8 +58,8 @@ public:
         if (m_goneEnd == m_newEnd) {
             return {}; // as many as before: changed at most in their values
         }
-        for (std::size_t line = m_firstLine; line < m_after.lineCount(); ++line) {
-            std::visit([&](const auto &node) { renumber(line, node); }, m_after.line(line).declaration);
+        for (std::size_t line = m_firstLine; line < m_after.syntax.lineCount(); ++line) {
+            std::visit([&](const auto &node) { renumber(line, node); }, m_after.syntax.line(line).declaration);
         }
         return std::move(m_result);
     }
@@ -87,19 +91,36 @@ private:
 
     void renumber(std::size_t line, const VectorReference &reference)
     {
-        if (!reference.number || *reference.number == 0 || *reference.number - 1 < m_keptBefore) {
+        const bool meantSomething =
+            reference.number && *reference.number > m_keptBefore && *reference.number <= m_before.model.vectors.size();
+        if (!meantSomething) {
             return;
         }
-        const SourceRange range = m_after.range(line, reference.word.range);
+        const SourceRange range = m_after.syntax.range(line, reference.word.range);
         const std::size_t index = *reference.number - 1;
-        if (index < m_goneEnd) {
-            m_result.orphans.push_back(range);
-        } else {
+        if (index >= m_goneEnd) {
             m_result.edits.push_back({range, std::to_string(index - m_goneEnd + m_newEnd + 1)});
+        } else if (const auto equal = equalOf(index)) {
+            m_result.edits.push_back({range, std::to_string(*equal + 1)});
+        } else {
+            m_result.orphans.push_back(range);
         }
     }
 
-    const FdoSyntax &m_after;
+    /// Of equal vectors nobody can tell which one went: one that is left, and written alike, will do.
+    std::optional<std::size_t> equalOf(std::size_t gone)
+    {
+        if (m_left.empty()) {
+            for (std::size_t i = m_newEnd; i-- > 0;) {
+                m_left[m_after.syntax.map().lineText(m_after.model.vectors[i].line)] = i;
+            }
+        }
+        const auto found = m_left.find(m_before.syntax.map().lineText(m_before.model.vectors[gone].line));
+        return found == m_left.end() ? std::nullopt : std::optional(found->second);
+    }
+
+    const FdoDocument &m_before;
+    const FdoDocument &m_after;
     /// Where the lines begin that both texts end with.
     std::size_t m_firstLine = 0;
     /// Vectors [0, m_keptBefore) are the same in both; [m_keptBefore, m_goneEnd) of the text before gave way to
@@ -107,6 +128,8 @@ private:
     std::size_t m_keptBefore = 0;
     std::size_t m_goneEnd = 0;
     std::size_t m_newEnd = 0;
+    /// Lines of the vectors that are left, once one is asked for.
+    std::unordered_map<std::string_view, std::size_t> m_left;
     Renumbering m_result;
 };
 

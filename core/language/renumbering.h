@@ -13,7 +13,8 @@ namespace romanesco {
 struct Renumbering {
     /// Of the text after. Empty where every number still means the same vector.
     TextEdits edits;
-    /// Uses of vectors that are gone, in the text after; they stay as they are.
+    /// Uses of vectors that are gone, in the text after; they stay as they are. (A number that meant no vector before
+    /// stays too, and is none of these.)
     std::vector<SourceRange> orphans;
 };
 

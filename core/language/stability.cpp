@@ -29,6 +29,7 @@ struct SetFacts {
     std::vector<glm::dmat3> turned;
     bool saysGrowing = false;
     bool saysSheared = false;
+    std::size_t turnsSeen = 0;
 };
 
 constexpr std::size_t mostKept = 16;
@@ -159,7 +160,8 @@ private:
     /// its maps together, or by one of them where the others may be passed over.
     void checkConvergence(const LevelSequence::Repeat &repeat)
     {
-        double pass = 1.0;
+        const std::vector<double> passes = passesWithin(repeat);
+        double pass = 0.0; // a logarithm
         bool areAllSmaller = true;
         SetFacts *widest = nullptr;
         for (LevelSequence::Slot slot = repeat.firstSlot; slot < repeat.endSlot; ++slot) {
@@ -167,16 +169,36 @@ private:
             if (facts.largest.length() == 0) {
                 continue; // nothing but #
             }
-            pass *= facts.holdsIdentity ? std::max(1.0, facts.largestNorm) : facts.largestNorm;
+            const double norm = std::log(facts.largestNorm);
+            pass += passes[slot - repeat.firstSlot] * (facts.holdsIdentity ? std::max(0.0, norm) : norm);
             areAllSmaller = areAllSmaller && facts.largestNorm < 1.0;
             if (!widest || facts.largestNorm > widest->largestNorm) {
                 widest = &facts;
             }
         }
-        if (widest && !areAllSmaller && pass >= 1.0 && !std::exchange(widest->saysGrowing, true)) {
+        if (widest && !areAllSmaller && pass >= 0.0 && !std::exchange(widest->saysGrowing, true)) {
             report(DiagnosticCode::DoesNotConverge, widest->largest,
                    {words(widest->largest), std::format("{:.6g}", widest->largestNorm), nameOfRepeat(repeat)});
         }
+    }
+
+    /// How often one pass of a repeat goes through each of its slots.
+    [[nodiscard]] std::vector<double> passesWithin(const LevelSequence::Repeat &repeat) const
+    {
+        std::vector<double> passes(repeat.endSlot - repeat.firstSlot, 1.0);
+        std::vector<const LevelSequence::Repeat *> open{&repeat};
+        while (!open.empty()) {
+            const LevelSequence::Repeat &outer = *open.back();
+            open.pop_back();
+            for (const std::uint32_t index : outer.inner) {
+                const LevelSequence::Repeat &inner = m_description.levels.repeats()[index];
+                const auto begin = passes.begin() - repeat.firstSlot;
+                std::for_each(begin + inner.firstSlot, begin + inner.endSlot,
+                              [&](double &times) { times *= static_cast<double>(inner.count); });
+                open.push_back(&inner);
+            }
+        }
+        return passes;
     }
 
     /// The recursive whose iteration is repeated.
@@ -222,6 +244,10 @@ private:
 
     void checkShear(SetFacts &facts, const std::vector<glm::dmat3> &turned)
     {
+        if (facts.saysSheared || facts.turnsSeen == turned.size()) {
+            return; // looked at already
+        }
+        facts.turnsSeen = turned.size();
         for (const SetFacts::Uneven &uneven : facts.uneven) {
             const bool isSheared =
                 std::ranges::any_of(turned, [&](const glm::dmat3 &inner) { return shears(uneven.linear, inner); });
@@ -266,19 +292,12 @@ private:
     /// The logarithm of how much smaller one pass makes what no `#` spares; 0 where a set is flat.
     [[nodiscard]] double logOfPass(const LevelSequence::Repeat &repeat) const
     {
-        const LevelSequence &levels = m_description.levels;
-        std::vector<double> passes(levels.slotCount(), 1.0);
-        for (const LevelSequence::Repeat &other : levels.repeats()) {
-            if (other.firstSlot >= repeat.firstSlot && other.endSlot <= repeat.endSlot && &other != &repeat) {
-                std::for_each(passes.begin() + other.firstSlot, passes.begin() + other.endSlot,
-                              [&](double &times) { times *= static_cast<double>(other.count); });
-            }
-        }
+        const std::vector<double> passes = passesWithin(repeat);
         double sum = 0.0;
         for (LevelSequence::Slot slot = repeat.firstSlot; slot < repeat.endSlot; ++slot) {
-            const SetFacts &facts = m_facts[levels.set(slot)];
+            const SetFacts &facts = m_facts[m_description.levels.set(slot)];
             if (facts.largest.length() > 0) {
-                sum += passes[slot] * std::log(facts.largestNorm);
+                sum += passes[slot - repeat.firstSlot] * std::log(facts.largestNorm);
             }
         }
         return std::isfinite(sum) ? sum : 0.0;

@@ -12,9 +12,10 @@ namespace romanesco {
 
 namespace {
 
-std::string kindWords(const glm::dmat3 &linear, double determinant)
+std::string kindWords(const glm::dmat3 &linear, const glm::dvec3 &scale, double determinant)
 {
-    if (determinant == 0.0) {
+    // the determinant of what is only small may be 0 too
+    if (scale.x == 0.0 || scale.y == 0.0 || scale.z == 0.0) {
         return "flat: it has no inverse";
     }
     return std::format("{}{}", isSimilarity(linear) ? "a similarity" : "not a similarity",
@@ -36,7 +37,7 @@ std::vector<std::string> transformWords(const TransformParts &parts)
     const double determinant = glm::determinant(linear);
     lines.push_back(
         std::format("operator norm {}, determinant {}", plainWords(operatorNorm(linear)), plainWords(determinant)));
-    lines.push_back(kindWords(linear, determinant));
+    lines.push_back(kindWords(linear, parts.scale, determinant));
     return lines;
 }
 

@@ -18,12 +18,6 @@ namespace {
 
 constexpr std::size_t mostNotes = 10;
 
-/// A file that another one names, as seen from where that one is named.
-std::string seenFrom(const std::string &name, const std::string &inner)
-{
-    return inner.empty() ? name : (std::filesystem::path(name).parent_path() / inner).generic_string();
-}
-
 /// Errors of a text become one sentence and a note for each of the first.
 FileTrouble troubleOf(const Diagnostics &diagnostics, std::string_view text)
 {
@@ -179,10 +173,13 @@ void ModelLibrary::readFractal(Entry &entry, const std::filesystem::path &folder
 ModelLibrary::Fractal ModelLibrary::fractal(const std::filesystem::path &folder, std::string_view text,
                                             const std::stop_token &stop)
 {
-    FdoResult read = readFdo(text);
+    const FdoSyntax syntax{std::string(text)};
+    FdoResult read = describeFdo(syntax, resolveFdo(syntax));
     Fractal result;
     result.diagnostics = std::move(read.diagnostics);
     if (!read.description || stop.stop_requested()) {
+        checkMeshes(syntax, folder, result.diagnostics);
+        sortByPlace(result.diagnostics);
         return result;
     }
     const FractalDescription &description = *read.description;
@@ -202,6 +199,22 @@ ModelLibrary::Fractal ModelLibrary::fractal(const std::filesystem::path &folder,
     }
     sortByPlace(result.diagnostics);
     return result;
+}
+
+/// Of a text with errors nobody knows which mesh it needs, and all that is wrong is to be told at once.
+void ModelLibrary::checkMeshes(const FdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics)
+{
+    for (std::size_t line = 0; line < syntax.lineCount(); ++line) {
+        const auto *object = std::get_if<ObjectDeclaration>(&syntax.line(line).declaration);
+        if (!object || !object->value.isMesh || syntax.line(line).isBad) {
+            continue;
+        }
+        const LineRange quoted = object->value.inner.range;
+        const std::string path(unquoted(syntax.words(line, quoted)));
+        if (const auto base = mesh(folder / path); !base) {
+            diagnostics.push_back(remark(base.error(), path, syntax.range(line, quoted)));
+        }
+    }
 }
 
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/file.h"
+#include "core/formats/fdosyntax.h"
 #include "core/formats/fractaldescription.h"
 #include "core/text/diagnostic.h"
 #include "model.h"
@@ -78,6 +79,7 @@ private:
     [[nodiscard]] Entry &entry(const std::filesystem::path &path);
     [[nodiscard]] std::expected<std::shared_ptr<const Mesh>, FileTrouble> mesh(const std::filesystem::path &path);
     void readMesh(Entry &entry);
+    void checkMeshes(const FdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics);
     void readFractal(Entry &entry, const std::filesystem::path &folder, const std::stop_token &stop);
 
     const FileAccess &m_files;

@@ -84,9 +84,12 @@ SceneResult SceneLoader::loadFdo(const std::filesystem::path &folder, std::strin
 SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::string_view text,
                                  const std::stop_token &stop)
 {
-    SdoResult read = readSdo(text);
+    const SdoSyntax syntax{std::string(text)};
+    SdoResult read = describeSdo(syntax);
     SceneResult result{std::move(read.diagnostics), nullptr};
     if (!read.description) {
+        checkFiles(syntax, folder, result.diagnostics, stop);
+        sortByPlace(result.diagnostics);
         return result;
     }
     const SceneDescription &description = *read.description;
@@ -120,6 +123,22 @@ SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::strin
     }
     sortByPlace(result.diagnostics);
     return result;
+}
+
+/// Of a text with errors: what its good lines name is looked for all the same, so that all that is wrong is told at once.
+void SceneLoader::checkFiles(const SdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics,
+                             const std::stop_token &stop)
+{
+    for (std::size_t line = 0; line < syntax.lineCount() && !stop.stop_requested(); ++line) {
+        const PlacedFile *file = syntax.line(line).file();
+        if (!file || syntax.line(line).isBad) {
+            continue;
+        }
+        const std::string path(unquoted(syntax.words(line, file->path)));
+        if (const ModelLibrary::ModelResult model = m_library.model(folder / path, stop); !model) {
+            diagnostics.push_back(remark(model.error(), path, syntax.range(line, file->path)));
+        }
+    }
 }
 
 }

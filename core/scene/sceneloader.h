@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/base/file.h"
+#include "core/formats/sdosyntax.h"
 #include "core/text/diagnostic.h"
 #include "modellibrary.h"
 #include "scene.h"
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] SceneResult load(const std::filesystem::path &path, std::string_view text, std::stop_token stop = {});
 
 private:
+    void checkFiles(const SdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics,
+                    const std::stop_token &stop);
     [[nodiscard]] SceneResult loadFdo(const std::filesystem::path &folder, std::string_view text,
                                       const std::stop_token &stop);
     [[nodiscard]] SceneResult loadSdo(const std::filesystem::path &folder, std::string_view text,

@@ -128,14 +128,24 @@ void sortByPlace(Diagnostics &diagnostics)
     std::ranges::stable_sort(diagnostics, {}, [](const Diagnostic &d) { return d.range.begin; });
 }
 
+std::string seenFrom(std::string_view file, std::string_view inner)
+{
+    if (inner.empty()) {
+        return std::string(file);
+    }
+    const std::size_t slash = file.rfind('/');
+    const bool isWhole = inner.starts_with('/') || slash == file.npos;
+    return std::string(isWhole ? std::string_view() : file.substr(0, slash + 1)) + std::string(inner);
+}
+
 std::string toLines(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines)
 {
     const TextPosition at = lines.position(diagnostic.range.begin);
     std::string text =
         std::format("{}:{}:{}: {}: {}", file, at.line, at.column, name(diagnostic.severity()), diagnostic.message());
     for (const Note &note : diagnostic.notes) {
-        text += std::format("\n{}:{}:{}: note: {}", note.file.empty() ? file : std::string_view(note.file),
-                            note.position.line, note.position.column, note.message());
+        text += std::format("\n{}:{}:{}: note: {}", seenFrom(file, note.file), note.position.line, note.position.column,
+                            note.message());
     }
     return text;
 }

@@ -71,4 +71,17 @@ TextPosition LineMap::position(std::size_t offset) const
     return {index + 1, codePointCount(before) + 1};
 }
 
+std::size_t LineMap::offset(TextPosition position) const
+{
+    if (position.line > m_starts.size()) {
+        return m_text.size();
+    }
+    const SourceRange range = line(position.line - 1);
+    std::size_t at = range.begin;
+    for (std::size_t column = 1; column < position.column && at < range.end; ++column) {
+        at += firstCodePoint(m_text.substr(at, range.end - at)).length;
+    }
+    return at;
+}
+
 }

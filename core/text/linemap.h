@@ -32,6 +32,8 @@ public:
     [[nodiscard]] std::size_t lineAt(std::size_t offset) const;
 
     [[nodiscard]] TextPosition position(std::size_t offset) const;
+    /// The way back; what is beyond a line or the text is the end of it.
+    [[nodiscard]] std::size_t offset(TextPosition position) const;
 
 private:
     std::string_view m_text;

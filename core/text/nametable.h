@@ -21,6 +21,11 @@ public:
     static constexpr NameId nameless = 0;
 
     NameTable() { (void)idOf({}); }
+    // keys are views of the names
+    NameTable(const NameTable &) = delete;
+    NameTable &operator=(const NameTable &) = delete;
+    NameTable(NameTable &&) = default;
+    NameTable &operator=(NameTable &&) = default;
 
     /// The number of a name, a new one if need be. One look-up in a hash table.
     NameId idOf(std::string_view name)

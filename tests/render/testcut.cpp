@@ -11,6 +11,7 @@
 #include <glm/matrix.hpp>
 
 #include "render/cut.h"
+#include "render/scenecut.h"
 #include "scenes.h"
 #include "tests/testmain.h"
 
@@ -224,6 +225,33 @@ private Q_SLOTS:
         // The end of the chain is at (1, 0, 0).
         const glm::dvec3 end = projector.cameraFrom(AffineMap{})(glm::dvec3(1, 0, 0));
         QVERIFY(std::abs(double(drawn[0].rows[0][3]) - end.x) < 1e-5);
+    }
+
+    /// Also where a model is so large that it is forgotten before the next one.
+    void noCopyIsLostBetweenItems()
+    {
+        std::string forest = "v 1 0 0\nsmall 0.001 0.001 0.001\nt.p. (p, #, small)\nx. \"box.obj\"\n";
+        std::string set;
+        for (int i = 0; i < 120'000; ++i) {
+            forest += "v " + std::to_string(i % 400) + ' ' + std::to_string(i / 400) + " 0\n";
+            set += (i == 0 ? "t." : ", t.") + std::to_string(i + 3);
+        }
+        const auto large = test::sceneOf(forest + "<$>. [" + set + "] x\n");
+        const auto house = test::sceneOf("x. \"box.obj\"\n<$>. x\n");
+        Scene scene = *large;
+        scene.items.push_back(house->items[0]);
+        scene.items.push_back(large->items[0]);
+        const Projector projector(fittedCamera(scene, double(width) / height), scene, width, height);
+        SceneCut cut(scene);
+        for (int picture = 0; picture < 2; ++picture) {
+            cut.begin(projector, 0.0);
+            std::size_t found = 0;
+            while (!cut.isComplete()) {
+                found += cut.next(100'000).size();
+            }
+            QCOMPARE(found, std::size_t{240'001});
+            QCOMPARE(cut.instanceCount(), std::uint64_t{240'001});
+        }
     }
 };
 

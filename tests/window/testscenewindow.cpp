@@ -17,6 +17,7 @@ private Q_SLOTS:
     void aSavedSceneBringsItsFiles();
     void aSceneIsDrawnFromItsCameraWithoutADepth();
     void whatASceneNamesIsAProblemAtItsName();
+    void theProblemsOfAFileAreOneClickAway();
 };
 
 void TestSceneWindow::aSavedSceneBringsItsFiles()
@@ -76,6 +77,24 @@ void TestSceneWindow::whatASceneNamesIsAProblemAtItsName()
     QVERIFY(sample.problems.topLevelItem(0)->text(1).startsWith(QStringLiteral("cannot use \"bad.fdo\": line 1")));
     QVERIFY(sample.problems.topLevelItem(1)->text(1).startsWith(QStringLiteral("cannot read \"none.obj\"")));
     QCOMPARE(squiggles(sample.editor), 2);
+}
+
+void TestSceneWindow::theProblemsOfAFileAreOneClickAway()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    (void)sample.write(QStringLiteral("bad.fdo"), "# größe\r\n\r\n<$>. nöthing\r\n");
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("s.sdo"), "f \"bad.fdo\" #\n")));
+    QVERIFY(sample.waitForStrip(true));
+    QTreeWidgetItem *problem = sample.problems.topLevelItem(0);
+    QCOMPARE(problem->childCount(), 1);
+    QTreeWidgetItem *note = problem->child(0);
+    QCOMPARE(note->text(0), QStringLiteral("bad.fdo:3:6"));
+    sample.problems.scrollToItem(note);
+    QTest::mouseClick(sample.problems.viewport(), Qt::LeftButton, {}, sample.problems.visualItemRect(note).center());
+    QVERIFY(sample.editor.toPlainText().startsWith(QString::fromUtf8("# größe")));
+    QCOMPARE(sample.editor.textCursor().blockNumber(), 2);
+    QCOMPARE(sample.editor.textCursor().positionInBlock(), 5);
 }
 
 int main(int argc, char **argv)

@@ -129,13 +129,21 @@ void TestRenumbering::editsSay_data()
                                     << QByteArray("v 2 2 2\nt.a. (a, #, 1)\nx. [t.1, t.1.] y\n") << 1;
     QTest::newRow("another value") << "v 1 1 1\nv 2 2 2\n" + uses << "v 9 9 9\nv 2 2 2\n" + uses
                                    << "v 9 9 9\nv 2 2 2\n" + uses << 0;
+    const QByteArray missing = "x. [t.2, t.99999999999] y\n";
+    QTest::newRow("the missing one is written")
+        << "v 1 1 1\n" + missing << "v 1 1 1\nv 2 2 2\n" + missing << "v 1 1 1\nv 2 2 2\n" + missing << 0;
+    const QByteArray pair = "v 1 1 1\nv 2 2 2\n";
+    QTest::newRow("one of equals is gone") << pair + pair + "x. [t.3, t.4] y\n"
+                                           << pair + "x. [t.3, t.4] y\n"
+                                           << pair + "x. [t.1, t.2] y\n"
+                                           << 0;
     QTest::newRow("a line that was begun is a vector already")
         << "v 1 1 1\nv 2 2 2\n" + uses << "v 1 1 1\nv 1\nv 2 2 2\n" + uses
         << QByteArray("v 1 1 1\nv 1\nv 2 2 2\nt.a. (a, #, 3)\nx. [t.1, t.3.] y\n") << 0;
     QTest::newRow("numbers that are written anew stay")
         << "v 1 1 1\n" + uses << "v 0 0 0\nv 1 1 1\nnew. [t.1] y\n" + uses
-        << QByteArray("v 0 0 0\nv 1 1 1\nnew. [t.1] y\nt.a. (a, #, 3)\n"
-                      "x. [t.2, t.3.] y\n")
+        << QByteArray("v 0 0 0\nv 1 1 1\nnew. [t.1] y\nt.a. (a, #, 2)\n"
+                      "x. [t.2, t.2.] y\n")
         << 0;
 }
 

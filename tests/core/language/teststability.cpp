@@ -32,7 +32,7 @@ QString told(const std::string &text)
 }
 
 const char *const start = "half .5 .5 .5\none 1 1 1\nbig 1.25 1 1\nflat .5 0 .5\nmirror -.5 .5 .5\nturn 0 0 30\n"
-                          "quarter 0 0 90\nlock 10 89.8 0\nstretch .5 .25 .25\naside 1 0 0\n"
+                          "quarter 0 0 90\nlock 10 89.8 0\nstretch .5 .25 .25\naside 1 0 0\ntwice 2 2 2\n"
                           "s.k. (#, #, k)\nr.a. (#, a, half)\nm. (aside, #, #)\nx. \"x.obj\"\n";
 
 }
@@ -66,6 +66,8 @@ void TestStability::tells_data()
     row("z<x>. [m] [#, s.half] x\n<$>. z 6", "does-not-converge at m"); // but not where # is taken
     row("z<x>. [#, m] [s.half] x\n<$>. z 6", "");
     row("z<x>. [#] x\n<$>. z 6", "");
+    row("w<x>. [s.half] x\nz<x>. [s.twice] w 100\n<$>. z 2", "beyond-double at 2"); // w is passed through often
+    row("w<x>. [s.half] x\nz<x>. [s.twice] w 1\n<$>. z 2", "does-not-converge at s.twice");
     // maps
     row("<$>. [s.flat] x", "singular at s.flat");
     row("<$>. [s.half, s.flat, s.flat] x", "singular at s.flat");

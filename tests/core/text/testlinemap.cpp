@@ -68,6 +68,9 @@ void TestLineMap::columnsCountCodePoints()
     QCOMPARE(map.position(text.find('w')), (TextPosition{2, 6}));
     QCOMPARE(map.position(text.size()), (TextPosition{3, 1}));
     QCOMPARE(map.position(text.size() + 100), (TextPosition{3, 1}));
+    QCOMPARE(map.offset({2, 4}), text.find('z'));
+    QCOMPARE(map.offset({2, 100}), text.size() - 1);
+    QCOMPARE(map.offset({100, 1}), text.size());
 }
 
 void TestLineMap::everyOffsetHasItsPlace()
@@ -85,6 +88,7 @@ void TestLineMap::everyOffsetHasItsPlace()
             const bool isInsidePair = text[i] == '\n' && i > 0 && text[i - 1] == '\r';
             if (!isInsideCodePoint && !isInsidePair) {
                 RC_ASSERT(map.position(i) == place);
+                RC_ASSERT(map.offset(place) == i);
             }
             const bool endsLine = text[i] == '\n' || (text[i] == '\r' && !(i + 1 < text.size() && text[i + 1] == '\n'));
             if (endsLine) {
