@@ -193,6 +193,17 @@ std::string sceneBrackets(std::size_t count)
     return "o \"a.obj\" " + std::string(count, '(') + '\n';
 }
 
+/// One line of sets that each repeat a map.
+std::string repeats(std::size_t sets)
+{
+    std::string text(head);
+    text += "<$>. ";
+    for (std::size_t i = 0; i < sets; ++i) {
+        text += "[#,#]";
+    }
+    return text + " o0\n";
+}
+
 constexpr TextShape shapes[] = {
     {"person", person, 2'500, 100'000, true},
     {"chained", chained, 5'000, 100'000, true},
@@ -206,6 +217,7 @@ constexpr TextShape shapes[] = {
     {"same-prefix", samePrefix, 2'500, 100'000, false}, // nothing uses them
     {"same-name", sameName, 5'000, 100'000, false},
     {"errors", errors, 5'000, 100'000, false},
+    {"repeats", repeats, 5'000, 100'000, false},
     {"scene", scene, 5'000, 100'000, true},
     {"scene-errors", sceneErrors, 5'000, 100'000, false},
     {"scene-brackets", sceneBrackets, 300'000, 1'000'000, false},
