@@ -16,7 +16,7 @@
 #include "core/language/stability.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
-#include "core/text/unicode.h"
+#include "core/text/places.h"
 #include "input.h"
 
 namespace romanesco::cli {
@@ -54,38 +54,6 @@ Checked check(SceneLoader &loader, const QString &file)
     }
     return checked;
 }
-
-/// Lines and columns of one text. Places that ascend in a line cost what lies between them: a fix may have an edit for
-/// each of 200,000 words of one line.
-class Places
-{
-public:
-    explicit Places(std::string_view text)
-        : m_text(text)
-        , m_lines(text)
-    {
-    }
-
-    TextPosition at(std::size_t offset)
-    {
-        const std::size_t line = m_lines.lineAt(offset);
-        if (line + 1 == m_last.line && offset >= m_offset) {
-            m_last.column += codePointCount(m_text.substr(m_offset, offset - m_offset));
-        } else {
-            m_last = m_lines.position(offset);
-        }
-        m_offset = offset;
-        return m_last;
-    }
-
-    [[nodiscard]] const LineMap &lines() const { return m_lines; }
-
-private:
-    std::string_view m_text;
-    LineMap m_lines;
-    std::size_t m_offset = 0;
-    TextPosition m_last;
-};
 
 QString words(std::string_view text)
 {
@@ -132,7 +100,8 @@ QJsonArray json(const std::vector<Note> &notes, const std::string &file)
 
 void append(QJsonArray &array, const Checked &checked)
 {
-    Places places(checked.text);
+    const LineMap lines(checked.text);
+    Places places(lines);
     for (const Diagnostic &diagnostic : checked.diagnostics) {
         QJsonObject object = place(places, diagnostic.range);
         object[QStringLiteral("file")] = words(checked.name);
@@ -192,8 +161,9 @@ int runCheck(const QStringList &arguments)
             continue;
         }
         const LineMap lines(checked.text);
+        Places places(lines);
         for (const Diagnostic &diagnostic : checked.diagnostics) {
-            std::println(stderr, "{}", toLines(diagnostic, checked.name, lines));
+            std::println(stderr, "{}", toLines(diagnostic, checked.name, places));
         }
     }
     if (parser.isSet(jsonOption)) {

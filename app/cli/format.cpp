@@ -9,6 +9,7 @@
 
 #include "core/language/formatter.h"
 #include "core/scene/sceneloader.h"
+#include "core/text/places.h"
 #include "input.h"
 #include "output.h"
 
@@ -19,10 +20,11 @@ namespace {
 /// Tells the lines that cannot be read, and whether there are any.
 bool tellErrors(const std::string &name, const LineMap &lines, const Diagnostics &diagnostics)
 {
+    Places places(lines);
     bool isAny = false;
     for (const Diagnostic &diagnostic : diagnostics) {
         if (diagnostic.isError()) {
-            std::println(stderr, "{}", toLines(diagnostic, name, lines));
+            std::println(stderr, "{}", toLines(diagnostic, name, places));
             isAny = true;
         }
     }

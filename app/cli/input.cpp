@@ -16,6 +16,7 @@
 #include "core/formats/fdoreader.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 #include "output.h"
 
 namespace romanesco::cli {
@@ -189,9 +190,10 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
         return std::unexpected(WrongUsage);
     }
     const LineMap lines(*text);
+    Places places(lines);
     for (const Diagnostic &diagnostic : result.diagnostics) {
         if (diagnostic.severity() != Severity::Hint) {
-            std::println(stderr, "{}", toLines(diagnostic, shown, lines));
+            std::println(stderr, "{}", toLines(diagnostic, shown, places));
         }
     }
     if (!result.scene) {

@@ -10,6 +10,7 @@
 #include <QPainter>
 
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 #include "editor/fdoeditor.h"
 
 namespace romanesco {
@@ -94,9 +95,10 @@ void ProblemsView::setDiagnostics(const QString &file, const Diagnostics &diagno
     m_diagnostics = diagnostics;
     clear();
     const LineMap lines(text.bytes());
+    Places places(lines);
     const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     for (const Diagnostic &diagnostic : std::span(diagnostics).first(std::min(diagnostics.size(), mostRows))) {
-        const TextPosition at = lines.position(diagnostic.range.begin);
+        const TextPosition at = places.at(diagnostic.range.begin);
         const QString message = QString::fromStdString(diagnostic.message());
         const QString word = severityWord(diagnostic.severity());
         auto *item = new QTreeWidgetItem(this);

@@ -50,11 +50,11 @@ public:
 private:
     [[nodiscard]] Word word(const Token &token) const { return {m_names.idOf(token.text), inLine(token.range)}; }
 
+    /// What the line declares, to be filled in.
     template<typename Node>
-    void add(Node node, bool isGood)
+    Node &begin(Node node)
     {
-        m_result.declaration = std::move(node);
-        m_result.isBad = !isGood;
+        return m_result.declaration.emplace<Node>(std::move(node));
     }
 
     void parseNamed(const Token &first)
@@ -62,28 +62,28 @@ private:
         const Word name = word(first);
         const Token next = peek();
         if (next.is(TokenKind::Number) && !lexer().isBlankBeforeNext()) {
-            add(VectorDeclaration{name},
-                error(DiagnosticCode::BlankAfterVectorName, {first.range.end, next.range.end},
-                      {std::string(first.text)}, insertion("Insert a blank", first.range.end, " ")));
+            begin(VectorDeclaration{name});
+            error(DiagnosticCode::BlankAfterVectorName, {first.range.end, next.range.end}, {std::string(first.text)},
+                  insertion("Insert a blank", first.range.end, " "));
         } else if (first.text == "v" && next.is(TokenKind::Less)) {
-            add(UnknownDeclaration{name}, error(DiagnosticCode::ReservedName, first.range, {"this one"}));
+            begin(UnknownDeclaration{name});
+            error(DiagnosticCode::ReservedName, first.range, {"this one"});
         } else if (first.text == "v" && isDotAndNumber()) {
-            add(VectorDeclaration{name}, expected("a number", next, replacement("Remove the dot", next.range, "")));
+            begin(VectorDeclaration{name});
+            expected("a number", next, replacement("Remove the dot", next.range, ""));
         } else if (next.is(TokenKind::Number) || (first.text == "v" && !next.is(TokenKind::Dot))) {
-            VectorDeclaration vector{name};
-            const bool isGood = parseVector(vector, first.range);
-            add(vector, isGood);
+            parseVector(begin(VectorDeclaration{name}), first.range);
         } else if (next.is(TokenKind::Dot)) {
             take();
             parseTransformationOrObject(name);
         } else if (next.is(TokenKind::Less)) {
-            ObjectDeclaration object{name};
-            const bool isGood = parseRecursive(object);
-            add(std::move(object), isGood);
+            parseRecursive(begin(ObjectDeclaration{name}));
         } else if (looksLikeNumbers()) {
-            add(VectorDeclaration{name}, expected("a number", next));
+            begin(VectorDeclaration{name});
+            expected("a number", next);
         } else {
-            add(UnknownDeclaration{name}, error(DiagnosticCode::ExpectedAfterName, next.range, {described(next)}));
+            begin(UnknownDeclaration{name});
+            error(DiagnosticCode::ExpectedAfterName, next.range, {described(next)});
         }
     }
 
@@ -125,7 +125,7 @@ private:
             error(DiagnosticCode::ExpectedDeclaration, first.range, {described(first)});
         }
         if (peek().is(TokenKind::Number)) {
-            add(VectorDeclaration{{NameTable::nameless, inLine(first.range)}}, false);
+            begin(VectorDeclaration{{NameTable::nameless, inLine(first.range)}});
         }
     }
 
@@ -202,21 +202,17 @@ private:
         const bool isPath =
             first.is(TokenKind::Name) && hasEnding(line().substr(0, endOfWord(first.range.begin)), ".obj");
         if (isPath) { // without its quotes
-            ObjectDeclaration object{name};
+            begin(ObjectDeclaration{name});
             SourceRange quoted;
-            add(std::move(object), parseString(quoted));
+            parseString(quoted);
             return;
         }
         const bool isTransformation = first.is(TokenKind::OpenParenthesis)
             || (first.is(TokenKind::Name) && (second.is(TokenKind::Dot) || second.is(TokenKind::OpenParenthesis)));
         if (isTransformation) {
-            TransformationDeclaration transformation{name, {}, {}};
-            const bool isGood = parseTransformation(transformation);
-            add(std::move(transformation), isGood);
+            parseTransformation(begin(TransformationDeclaration{name, {}, {}}));
         } else {
-            ObjectDeclaration object{name};
-            const bool isGood = parseValue(object.value);
-            add(std::move(object), isGood);
+            parseValue(begin(ObjectDeclaration{name}).value);
         }
     }
 
@@ -303,9 +299,10 @@ private:
     void parseResult()
     {
         const Token less = take();
-        ObjectDeclaration object{{NameTable::nameless, inLine(less.range)}};
-        const bool isGood = take(TokenKind::Dollar, "\"$\"") && parseResultRest(object, less);
-        add(std::move(object), isGood);
+        auto &object = begin(ObjectDeclaration{{NameTable::nameless, inLine(less.range)}});
+        if (take(TokenKind::Dollar, "\"$\"")) {
+            parseResultRest(object, less);
+        }
     }
 
     bool parseResultRest(ObjectDeclaration &object, const Token &less)
@@ -463,6 +460,7 @@ FdoLine parseFdoLine(std::string_view line, std::size_t skipped, NameTable &name
 {
     FdoLine result;
     FdoLineParser(line, skipped, names, result).parse();
+    result.isBad = hasErrors(result.diagnostics);
     return result;
 }
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <unordered_map>
 
-#include "core/text/unicode.h"
+#include "core/text/places.h"
 #include "lineparser.h"
 
 namespace romanesco {
@@ -80,19 +80,6 @@ private:
         return set;
     }
 
-    /// Places that ascend in a line cost what lies between them: one line may hold 200,000 sets.
-    TextPosition position(std::size_t offset)
-    {
-        if (m_last.line == m_syntax.map().lineAt(offset) + 1 && offset >= m_lastOffset) {
-            m_last.column +=
-                codePointCount(std::string_view(m_syntax.text()).substr(m_lastOffset, offset - m_lastOffset));
-        } else {
-            m_last = m_syntax.map().position(offset);
-        }
-        m_lastOffset = offset;
-        return m_last;
-    }
-
     Diagnostic repeat(std::uint32_t line, LineRange use, LineRange earlier)
     {
         const SourceRange place = m_syntax.range(line, earlier);
@@ -101,7 +88,7 @@ private:
                               {std::string(m_syntax.words(line, use))}};
         diagnostic.fix = Fix{"Remove what is repeated", {}};
         diagnostic.notes.push_back(
-            {DiagnosticCode::EarlierHere, place, {"the earlier one"}, {}, position(place.begin)});
+            {DiagnosticCode::EarlierHere, place, {"the earlier one"}, {}, m_places.at(place.begin)});
         return diagnostic;
     }
 
@@ -133,8 +120,7 @@ private:
     const FdoModel &m_model;
     std::vector<TransformSet> m_sets;
     FdoResult m_result;
-    TextPosition m_last;
-    std::size_t m_lastOffset = 0;
+    Places m_places{m_syntax.map()};
 };
 
 }

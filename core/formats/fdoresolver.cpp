@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include "fdomodel.h"
+
 #include <format>
 #include <limits>
 #include <utility>
 
-#include "fdomodel.h"
+#include "core/text/places.h"
 
 namespace romanesco {
 
@@ -71,12 +73,12 @@ private:
     [[nodiscard]] SourceRange inText(LineRange range) const { return m_syntax.range(m_line, range); }
 
     /// The name in the line that declares it, as another place of a diagnostic.
-    [[nodiscard]] Note declaredHere(std::uint32_t line) const
+    [[nodiscard]] Note declaredHere(std::uint32_t line)
     {
         const Word &name = nameIn(line);
         const SourceRange range = m_syntax.range(line, name.range);
         const std::string words(m_syntax.words(line, name.range));
-        return {DiagnosticCode::DeclaredHere, range, {words}, {}, m_syntax.map().position(range.begin)};
+        return {DiagnosticCode::DeclaredHere, range, {words}, {}, m_places.at(range.begin)};
     }
 
     [[nodiscard]] const Word &nameIn(std::uint32_t line) const
@@ -441,6 +443,7 @@ private:
     }
 
     const FdoSyntax &m_syntax;
+    Places m_places{m_syntax.map()};
     FdoModel m_model;
     bool m_hasText = true;
     /// By number, beside the model's vectors.

@@ -24,8 +24,6 @@ std::optional<Diagnostic> foreignEncoding(std::string_view text)
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
-
 /// Up to the last ending of a file's name; 0 where there is none.
 std::size_t pathLength(std::string_view words)
 {
@@ -173,7 +171,9 @@ bool LineParser::parseString(SourceRange &quoted)
 
 std::string_view unquoted(std::string_view string)
 {
-    return string.size() < 2 ? std::string_view() : string.substr(1, string.size() - 2);
+    string.remove_prefix(string.starts_with('"') ? 1 : 0);
+    string.remove_suffix(string.ends_with('"') ? 1 : 0);
+    return string;
 }
 
 bool hasEnding(std::string_view path, std::string_view ending)

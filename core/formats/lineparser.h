@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,7 +59,7 @@ private:
     std::size_t m_lastEnd;
 };
 
-/// What stands between the quotes of a string.
+/// What stands between the quotes of a string; the last one may be missing.
 [[nodiscard]] std::string_view unquoted(std::string_view string);
 
 /// Whether a path ends so, whatever the case; the ending is in lower case (".obj").

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +14,7 @@
 #include "core/text/diagnostic.h"
 #include "core/text/linemap.h"
 #include "core/text/textedit.h"
+#include "core/text/unicode.h"
 
 namespace romanesco {
 
@@ -31,6 +34,8 @@ public:
     /// No line is read of a text that is not UTF-8.
     [[nodiscard]] std::size_t lineCount() const { return m_lines.size(); }
     [[nodiscard]] const Line &line(std::size_t index) const { return m_lines[index]; }
+    /// The bytes at the start of a line that are not part of it: a byte order mark.
+    [[nodiscard]] std::size_t skipped(std::size_t line) const { return skipped(line, *m_text); }
     [[nodiscard]] SourceRange range(std::size_t line, LineRange range) const { return range.from(m_map.start(line)); }
     [[nodiscard]] std::string_view words(std::size_t line, LineRange range) const
     {
@@ -70,6 +75,11 @@ protected:
     }
 
 private:
+    [[nodiscard]] static std::size_t skipped(std::size_t line, std::string_view text)
+    {
+        return line == 0 && text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
+    }
+
     template<typename Parse>
     void readLines(std::string_view text, const LineMap &map, Parse &parse)
     {
@@ -87,8 +97,7 @@ private:
         }
         std::vector<Line> fresh;
         for (std::size_t i = keptFirst; i + keptLast < map.lineCount(); ++i) {
-            const bool hasMark = i == 0 && text.starts_with("\xEF\xBB\xBF");
-            fresh.push_back(parse(map.lineText(i), hasMark ? std::size_t{3} : std::size_t{0}));
+            fresh.push_back(parse(map.lineText(i), skipped(i, text)));
         }
         splice(keptFirst, m_lines.size() - keptLast, std::move(fresh));
     }

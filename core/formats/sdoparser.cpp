@@ -52,7 +52,7 @@ public:
         if (first.is(TokenKind::EndOfLine) || first.is(TokenKind::Hash)) {
             return;
         }
-        m_result.isBad = !parseDeclaration(first);
+        parseDeclaration(first);
         m_result.range = inLine({first.range.begin, std::max(first.range.end, lastEnd())});
     }
 
@@ -426,6 +426,7 @@ SdoLine parseSdoLine(std::string_view line, std::size_t skipped)
 {
     SdoLine result;
     SdoLineParser(line, skipped, result).parse();
+    result.isBad = hasErrors(result.diagnostics);
     return result;
 }
 

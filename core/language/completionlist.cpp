@@ -22,25 +22,12 @@ bool beginsAlike(std::string_view label, std::string_view begun)
         && std::ranges::equal(label.substr(0, begun.size()), begun, {}, lowered, lowered);
 }
 
-/// Where the rest of a word ends.
-std::size_t wordEnd(std::string_view text, std::size_t at)
-{
-    while (at < text.size()) {
-        const CodePoint point = firstCodePoint(text.substr(at));
-        if (!point.isValid || !isNamePart(point.value)) {
-            break;
-        }
-        at += point.length;
-    }
-    return at;
-}
-
 /// Where the rest of a path ends: at its quote if the line has one.
 std::size_t pathEnd(std::string_view text, std::size_t at)
 {
     const std::size_t lineEnd = std::min(text.find_first_of("\r\n", at), text.size());
     const std::size_t quote = text.find('"', at);
-    return quote < lineEnd ? quote : std::min(text.find_first_of(" \t\v\f", at), lineEnd);
+    return quote < lineEnd ? quote : std::min(text.find_first_of(blanks, at), lineEnd);
 }
 
 }
@@ -54,7 +41,7 @@ CompletionList::CompletionList(std::string_view text, SourceRange begun, bool is
     if (isInQuotes) {
         m_replaced.end = pathEnd(text, begun.end);
     } else if (begun.length() > 0) {
-        m_replaced.end = wordEnd(text, begun.end);
+        m_replaced.end = begun.end + nameLength(text.substr(begun.end));
     }
 }
 
@@ -90,7 +77,7 @@ void CompletionList::addFiles(const std::vector<std::string> &files, std::string
 std::string_view CompletionList::following() const
 {
     const std::string_view rest = m_text.substr(m_replaced.end);
-    return rest.substr(std::min(rest.find_first_not_of(" \t\v\f"), rest.size()));
+    return rest.substr(std::min(rest.find_first_not_of(blanks), rest.size()));
 }
 
 }

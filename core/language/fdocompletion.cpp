@@ -149,7 +149,7 @@ private:
     /// As many as the transformation takes; of one that is bad or unknown nobody knows how many.
     void addArguments()
     {
-        const std::optional<NameId> name = findName(m_syntax.names(), m_place.transformation);
+        const std::optional<NameId> name = m_syntax.names().find(m_place.transformation);
         const Symbol *symbol = name ? m_model.find(*name, m_line) : nullptr;
         const bool isKnown = symbol && symbol->kind == SymbolKind::Transformation && !symbol->isBad;
         if (m_place.argument < (isKnown ? m_model.transformations[symbol->index].parameterCount : mostParameters)) {
@@ -184,8 +184,7 @@ private:
     /// The base of the recursive whose body is asked for; nothing where any object will do.
     [[nodiscard]] std::optional<std::uint32_t> baseNode() const
     {
-        const std::optional<NameId> name =
-            m_place.base.empty() ? std::nullopt : findName(m_syntax.names(), m_place.base);
+        const std::optional<NameId> name = m_place.base.empty() ? std::nullopt : m_syntax.names().find(m_place.base);
         const Symbol *symbol = name ? m_model.find(*name, m_line) : nullptr;
         return symbol && symbol->kind == SymbolKind::Object ? std::optional(symbol->index) : std::nullopt;
     }
@@ -222,8 +221,7 @@ std::vector<Completion> complete(const FdoDocument &document, std::size_t offset
         return {};
     }
     const std::string_view text = map.lineText(line).substr(0, offset - map.start(line));
-    const bool hasMark = line == 0 && document.syntax.text().starts_with("\xEF\xBB\xBF");
-    return FdoCompleter(document, line, fdoPlace(text, hasMark ? 3 : 0)).complete(files);
+    return FdoCompleter(document, line, fdoPlace(text, document.syntax.skipped(line))).complete(files);
 }
 
 }

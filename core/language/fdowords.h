@@ -36,14 +36,6 @@ struct LineWord {
     std::uint32_t parameter = 0;
 };
 
-/// What is written between the quotes of a Path.
-[[nodiscard]] inline std::string_view pathInQuotes(std::string_view words)
-{
-    words.remove_prefix(words.starts_with('"') ? 1 : 0);
-    words.remove_suffix(words.ends_with('"') ? 1 : 0);
-    return words;
-}
-
 /// Calls visit(LineWord) for each word of a line that was read, in the order of the text. Of bad lines it is those
 /// before the error.
 template<typename Visit>

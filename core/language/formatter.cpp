@@ -14,9 +14,6 @@ namespace romanesco {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
-constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-
 /// Columns beyond it are an accident, and two lines must not move thousands far out.
 constexpr std::size_t farthestColumn = 200;
 
@@ -216,7 +213,7 @@ public:
         : m_syntax(syntax)
         , m_text(syntax.text())
         , m_map(syntax.map())
-        , m_mark(m_text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0)
+        , m_mark(syntax.skipped(0))
     {
     }
 
@@ -247,22 +244,21 @@ private:
     [[nodiscard]] SourceRange contentOf(std::size_t line) const
     {
         const SourceRange range = m_map.line(line);
-        return {range.begin + (line == 0 ? m_mark : 0), range.end};
+        return {range.begin + m_syntax.skipped(line), range.end};
     }
 
     void readLine(std::size_t index, SourceRange line, std::size_t first)
     {
         const auto &parsed = m_syntax.line(index);
         const std::size_t end = m_text.find_last_not_of(blanks, line.end - 1) + 1;
-        const bool isBad = parsed.isBad || hasErrors(parsed.diagnostics);
-        if (!isBad && m_text[first] != '#') {
+        if (!parsed.isBad && m_text[first] != '#') {
             const std::size_t start = m_map.start(index);
             const Manner manner = mannerOf(parsed);
             m_run.push_back(LineLayout(m_map.lineText(index), start, line.begin - start, manner).read());
             return;
         }
         endRun();
-        if (!isBad) {
+        if (!parsed.isBad) {
             replace({line.begin, first}, "");
         }
         replace({end, line.end}, "");

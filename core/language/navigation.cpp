@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <format>
 
+#include "core/formats/lineparser.h"
 #include "core/text/unicode.h"
 #include "fdowords.h"
-#include "plainwords.h"
 
 namespace romanesco {
 
@@ -18,16 +18,7 @@ using Refusal = std::optional<std::string>;
 
 bool isName(std::string_view text)
 {
-    bool isFirst = true;
-    while (!text.empty()) {
-        const CodePoint point = firstCodePoint(text);
-        if (!point.isValid || !(isFirst ? isNameStart(point.value) : isNamePart(point.value))) {
-            return false;
-        }
-        isFirst = false;
-        text.remove_prefix(point.length);
-    }
-    return !isFirst;
+    return !text.empty() && isNameStart(firstCodePoint(text).value) && nameLength(text) == text.size();
 }
 
 /// Why the thing itself keeps its name, or has none.
@@ -123,7 +114,7 @@ std::optional<Target> definition(const SdoSyntax &syntax, std::size_t offset)
     if (!file || file->path.length() == 0 || !syntax.range(line, file->path).touches(offset)) {
         return std::nullopt;
     }
-    return Target{syntax.range(line, file->path), std::string(pathInQuotes(syntax.words(line, file->path)))};
+    return Target{syntax.range(line, file->path), std::string(unquoted(syntax.words(line, file->path)))};
 }
 
 std::vector<Occurrence> uses(const FdoDocument &document, std::size_t offset)
@@ -162,7 +153,7 @@ std::expected<TextEdits, std::string> rename(const FdoDocument &document, std::s
         return TextEdits();
     }
     Refusal why = whyNoName(newName);
-    if (const std::optional<NameId> name = findName(document.syntax.names(), newName); name && !why) {
+    if (const std::optional<NameId> name = document.syntax.names().find(newName); name && !why) {
         why = occurrence->entity.kind == Kind::Parameter ? whyNotForParameter(document, occurrence->entity, *name)
                                                          : whyNotForDeclared(document, found, *name);
     }

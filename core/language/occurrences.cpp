@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/formats/lineparser.h"
 #include "fdowords.h"
 
 namespace romanesco {
@@ -125,7 +126,7 @@ std::optional<Entity> entityOf(const FdoDocument &document, std::uint32_t line, 
     case WordRole::UnknownName:
         return Entity{Kind::Unknown, line};
     case WordRole::Path:
-        return Entity{Kind::Path, 0, 0, std::string(pathInQuotes(syntax.words(line, word.word.range)))};
+        return Entity{Kind::Path, 0, 0, std::string(unquoted(syntax.words(line, word.word.range)))};
     case WordRole::Depth:
         return std::nullopt;
     case WordRole::Part:

@@ -160,8 +160,8 @@ std::vector<Completion> complete(const SdoSyntax &syntax, std::size_t offset, co
     if (line >= syntax.lineCount() || offset > map.line(line).end) {
         return {};
     }
-    const bool hasMark = line == 0 && syntax.text().starts_with("\xEF\xBB\xBF");
-    const SdoPlace place = PlaceFinder(map.lineText(line).substr(0, offset - map.start(line)), hasMark ? 3 : 0).place();
+    const std::string_view text = map.lineText(line).substr(0, offset - map.start(line));
+    const SdoPlace place = PlaceFinder(text, syntax.skipped(line)).place();
     CompletionList list(syntax.text(), syntax.range(line, place.begun), place.isInQuotes);
     switch (place.kind) {
     case Kind::Nothing:

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include "hover.h"
+
 #include <format>
 #include <numbers>
 
+#include "core/formats/lineparser.h"
 #include "core/geometry/rotation.h"
 #include "fdowords.h"
-#include "hover.h"
 #include "plainwords.h"
 
 namespace romanesco {
@@ -74,7 +76,7 @@ private:
     [[nodiscard]] std::optional<Hover> placed(const PlacedFile &file, const char *what,
                                               std::vector<std::string> lines) const
     {
-        const std::string path(pathInQuotes(m_syntax.words(m_line, file.path)));
+        const std::string path(unquoted(m_syntax.words(m_line, file.path)));
         if (touches(file.path)) {
             return Hover{m_syntax.range(m_line, file.path), path, {what}};
         }

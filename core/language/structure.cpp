@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/text/lexer.h"
+#include "core/text/unicode.h"
 
 namespace romanesco {
 
@@ -38,7 +39,7 @@ enum class LineKind { Blank, Comment, Code };
 
 LineKind kindOf(std::string_view line)
 {
-    const std::size_t first = line.find_first_not_of(" \t\v\f");
+    const std::size_t first = line.find_first_not_of(blanks);
     if (first == line.npos) {
         return LineKind::Blank;
     }
@@ -75,7 +76,8 @@ std::vector<FoldingRange> foldingRanges(const LineMap &lines)
     bool isInSection = false;
     bool isAfterBlank = true;
     for (std::size_t i = 0; i < lines.lineCount(); ++i) {
-        const LineKind kind = kindOf(lines.lineText(i));
+        const bool hasMark = i == 0 && lines.text().starts_with(byteOrderMark);
+        const LineKind kind = kindOf(lines.lineText(i).substr(hasMark ? byteOrderMark.size() : 0));
         if (kind == LineKind::Comment && isAfterBlank) {
             ranges.push_back({i, i});
             isInSection = true;

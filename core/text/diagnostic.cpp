@@ -7,7 +7,7 @@
 #include <cassert>
 #include <format>
 
-#include "linemap.h"
+#include "places.h"
 #include "unicode.h"
 
 namespace romanesco {
@@ -138,9 +138,9 @@ std::string seenFrom(std::string_view file, std::string_view inner)
     return std::string(isWhole ? std::string_view() : file.substr(0, slash + 1)) + std::string(inner);
 }
 
-std::string toLines(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines)
+std::string toLines(const Diagnostic &diagnostic, std::string_view file, Places &places)
 {
-    const TextPosition at = lines.position(diagnostic.range.begin);
+    const TextPosition at = places.at(diagnostic.range.begin);
     std::string text =
         std::format("{}:{}:{}: {}: {}", file, at.line, at.column, name(diagnostic.severity()), diagnostic.message());
     for (const Note &note : diagnostic.notes) {

@@ -77,14 +77,14 @@ void shift(Diagnostic &diagnostic, std::size_t by);
 /// Sorted by place, as people read; the order of equal places is kept.
 void sortByPlace(Diagnostics &diagnostics);
 
-class LineMap;
+class Places;
 
 /// A file that a text in another file names, as seen from where that one is named: "scenes/tree.fdo" for "tree.fdo" in
 /// "scenes/wood.sdo".
 [[nodiscard]] std::string seenFrom(std::string_view file, std::string_view inner);
 
-/// "tree.fdo:14:41: error: …", the form compilers use; each note is one more such line. lines is the text that the ranges
-/// are of.
-[[nodiscard]] std::string toLines(const Diagnostic &diagnostic, std::string_view file, const LineMap &lines);
+/// "tree.fdo:14:41: error: …", the form compilers use; each note is one more such line. places are those of the
+/// text that the ranges are of.
+[[nodiscard]] std::string toLines(const Diagnostic &diagnostic, std::string_view file, Places &places);
 
 }

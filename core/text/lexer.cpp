@@ -2,29 +2,11 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "lexer.h"
 
+#include <algorithm>
+
 #include "unicode.h"
 
 namespace romanesco {
-
-namespace {
-
-bool isDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
-bool isBlank(char c)
-{
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-std::size_t skipBlanks(std::string_view line, std::size_t at)
-{
-    while (at < line.size() && isBlank(line[at])) {
-        ++at;
-    }
-    return at;
-}
 
 std::size_t nameLength(std::string_view text)
 {
@@ -37,6 +19,18 @@ std::size_t nameLength(std::string_view text)
         length += point.length;
     }
     return length;
+}
+
+namespace {
+
+bool isDigit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+std::size_t skipBlanks(std::string_view line, std::size_t at)
+{
+    return std::min(line.find_first_not_of(blanks, at), line.size());
 }
 
 /// A number ends at a blank, `,`, `)`, `]`, `#` or the end of the line. The opening ones, quotes, `<`, `>` and `$` end

@@ -41,6 +41,12 @@ struct Token {
 /// which it is wherever it is not taken.
 [[nodiscard]] std::string described(const Token &token);
 
+/// What separates words in a line.
+constexpr std::string_view blanks = " \t\v\f";
+
+/// How many bytes at the start can be the rest of a name: letters, digits and `_`.
+[[nodiscard]] std::size_t nameLength(std::string_view text);
+
 /// After NAME and a dot, digits are an index and never a decimal: `t.1.2` is t with 1 and 2.
 enum class LexMode { Value, Index };
 

@@ -18,6 +18,7 @@ class LineMap
 public:
     explicit LineMap(std::string_view text);
 
+    [[nodiscard]] std::string_view text() const { return m_text; }
     [[nodiscard]] std::size_t lineCount() const { return m_starts.size(); }
 
     /// Where a line (from 0) starts; for lineCount(), the size of the text.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -37,6 +38,13 @@ public:
         const auto id = static_cast<NameId>(m_names.size());
         m_ids.emplace(m_names.emplace_back(name), id);
         return id;
+    }
+
+    /// The number of a name that is there.
+    [[nodiscard]] std::optional<NameId> find(std::string_view name) const
+    {
+        const auto known = m_ids.find(name);
+        return known == m_ids.end() ? std::nullopt : std::optional(known->second);
     }
 
     [[nodiscard]] std::string_view operator[](NameId id) const { return m_names[id]; }

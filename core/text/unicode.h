@@ -8,6 +8,9 @@
 
 namespace romanesco {
 
+/// What may stand at the start of a text in UTF-8 and is not part of it.
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
 /// One code point read from UTF-8. length is the number of bytes it takes; an ill-formed byte is a code point of its
 /// own with isValid false, so that a reader always moves on.
 struct CodePoint {

@@ -9,6 +9,7 @@
 
 #include "core/text/diagnostic.h"
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 
 namespace romanesco {
 
@@ -39,9 +40,10 @@ inline void requireSound(const Diagnostics &diagnostics, std::string_view text)
         return;
     }
     const LineMap lines(text);
+    Places places(lines);
     for (const Diagnostic &diagnostic : diagnostics) {
         require(diagnostic.range.begin <= diagnostic.range.end && diagnostic.range.end <= text.size());
-        require(!toLines(diagnostic, "file", lines).empty());
+        require(!toLines(diagnostic, "file", places).empty());
         if (diagnostic.fix) {
             requireSound(*diagnostic.fix, text);
         }

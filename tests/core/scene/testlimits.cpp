@@ -12,6 +12,7 @@
 #include "core/scene/sceneloader.h"
 #include "core/scene/summary.h"
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 #include "tests/core/scene/tablefiles.h"
 #include "tests/testmain.h"
 
@@ -175,8 +176,9 @@ void TestLimits::texts()
         SceneLoader loader(files);
         result = loader.load("a.fdo", text);
         const LineMap lines(text);
+        Places places(lines);
         for (std::size_t i = 0; i < std::min<std::size_t>(result.diagnostics.size(), 100); ++i) {
-            length = std::max(length, toLines(result.diagnostics[i], "a.fdo", lines).size());
+            length = std::max(length, toLines(result.diagnostics[i], "a.fdo", places).size());
         }
     });
     QCOMPARE(result.scene != nullptr, isScene);

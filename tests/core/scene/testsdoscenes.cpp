@@ -8,6 +8,7 @@
 
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 #include "tests/core/scene/tablefiles.h"
 #include "tests/testmain.h"
 
@@ -19,9 +20,10 @@ namespace {
 QString remarks(const SceneResult &result, std::string_view text)
 {
     const LineMap lines(text);
+    Places places(lines);
     QStringList all;
     for (const Diagnostic &diagnostic : result.diagnostics) {
-        all.push_back(QString::fromStdString(toLines(diagnostic, "s.sdo", lines)));
+        all.push_back(QString::fromStdString(toLines(diagnostic, "s.sdo", places)));
     }
     return all.join(QLatin1Char('\n'));
 }

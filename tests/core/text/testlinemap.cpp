@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 #include "core/text/linemap.h"
+#include "core/text/places.h"
 
 #include <string>
 
@@ -105,12 +106,13 @@ void TestLineMap::diagnosticsPrintAsCompilersDo()
 {
     const std::string text = "first\n  \u00E9 wrong\n";
     const LineMap map(text);
+    Places places(map);
     const std::size_t at = text.find("wrong");
     const Diagnostic diagnostic{DiagnosticCode::UnknownName, {at, at + 5}, {"wrong"}};
-    QCOMPARE(toLines(diagnostic, "tree.fdo", map), "tree.fdo:2:5: error: nothing named wrong is declared above");
-    QCOMPARE(toLines({DiagnosticCode::Unused, {0, 5}, {"first"}}, "a.fdo", map),
+    QCOMPARE(toLines(diagnostic, "tree.fdo", places), "tree.fdo:2:5: error: nothing named wrong is declared above");
+    QCOMPARE(toLines({DiagnosticCode::Unused, {0, 5}, {"first"}}, "a.fdo", places),
              "a.fdo:1:1: hint: first is never used");
-    QCOMPARE(toLines({DiagnosticCode::EmptyIteration, {0, 5}, {"z"}}, "a.fdo", map),
+    QCOMPARE(toLines({DiagnosticCode::EmptyIteration, {0, 5}, {"z"}}, "a.fdo", places),
              "a.fdo:1:1: warning: an iteration of z adds nothing");
 }
 
