@@ -78,7 +78,7 @@ struct FdoModel {
     /// By SetId; of bad declarations too.
     std::vector<SetPlace> sets;
     ObjectForest forest;
-    /// The first <$>, or ObjectNode::none.
+    /// The first <$>; ObjectNode::none where there is none, or one of more levels than can be counted.
     std::uint32_t result = ObjectNode::none;
 
     /// What a name means to a line: null where it is not declared above.

@@ -93,6 +93,31 @@ private Q_SLOTS:
         QVERIFY2(files.err.contains("bad.sdo:3:3: error: "), files.err);
     }
 
+    void errorsDoNotHideThatFilesAreMissing()
+    {
+        write(path("worse.sdo"), "o \"gone.obj\" #\nl #\nf \"good.fdo\" #\nf \"nomesh.fdo\" #\n");
+        const Outcome scene = check({"worse.sdo"});
+        QVERIFY2(scene.err.contains("worse.sdo:2:4: error: "), scene.err);
+        QVERIFY2(scene.err.contains("worse.sdo:1:3: error: "), scene.err);
+        QVERIFY2(scene.err.contains("worse.sdo:4:3: error: "), scene.err);
+        QVERIFY2(!scene.err.contains("worse.sdo:3:"), scene.err);
+        write(path("worse.fdo"), "x. \"gone.obj\"\nv 1 two 3\ny. \"triangle.obj\"\n<$>. [t] y\n");
+        const Outcome fractal = check({"worse.fdo"});
+        QVERIFY2(fractal.err.contains("worse.fdo:2:5: error: "), fractal.err);
+        QVERIFY2(fractal.err.contains("worse.fdo:1:4: error: "), fractal.err);
+        QVERIFY2(!fractal.err.contains("worse.fdo:3:"), fractal.err);
+    }
+
+    void whatCannotBePrintedIsStatus3()
+    {
+        QProcess process;
+        process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        process.start(QStringLiteral(ROMANESCO_PROGRAM), {QStringLiteral("check"), path("good.fdo")});
+        const Outcome outcome = outcomeOf(process);
+        QCOMPARE(outcome.status, 3);
+        QVERIFY2(outcome.err.contains("cannot write the output: No space left on device"), outcome.err);
+    }
+
     void warningsAndHintsAreStatus0()
     {
         const Outcome outcome = check({"equal.fdo", "growing.fdo"});

@@ -10,6 +10,8 @@
 
 #include "core/formats/fdoreader.h"
 #include "core/formats/sdoreader.h"
+#include "core/text/linemap.h"
+#include "core/text/places.h"
 #include "tests/bench/texts.h"
 
 using namespace romanesco;
@@ -32,6 +34,18 @@ Reading readText(std::string_view shape, std::string_view text)
     const FdoResult result = readFdo(text);
     const FdoResult copy = result;
     return {copy.diagnostics, copy.description.has_value()};
+}
+
+/// As `check` does: a line for each remark.
+std::size_t lengthOfRemarks(const Reading &reading, std::string_view text)
+{
+    const LineMap lines(text);
+    Places places(lines);
+    std::size_t length = 0;
+    for (const Diagnostic &diagnostic : reading.diagnostics) {
+        length += toLines(diagnostic, "FILE", places).size();
+    }
+    return length;
 }
 
 /// Reads a text of the shape on a stack of some kilobytes: what a file says must not decide how deep calls go. A stack
@@ -81,7 +95,7 @@ int main(int argc, char **argv)
         std::ifstream file(argv[3], std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
         const Reading result = readText(argv[2], text);
-        return file && (result.hasMeaning || !result.diagnostics.empty()) ? 0 : 1;
+        return file && (result.hasMeaning || lengthOfRemarks(result, text) > 0) ? 0 : 1;
     }
     const TextShape *shape = argc == 4 ? findTextShape(argv[2]) : nullptr;
     if (shape != nullptr && mode == "stack") {

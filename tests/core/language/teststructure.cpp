@@ -76,6 +76,7 @@ void TestStructure::sectionsFold_data()
     QTest::newRow("a comment amid lines starts nothing") << QByteArray("# x\ny\n# z\nw\n") << QByteArray("1-4");
     QTest::newRow("blank lines at the end stay") << QByteArray("# x\ny\n \n\t\n\n# z\nw") << QByteArray("1-2 6-7");
     QTest::newRow("line ends of every kind") << QByteArray("# x\r\ny\r\r# z\nw") << QByteArray("1-2 4-5");
+    QTest::newRow("a byte order mark") << QByteArray("\xEF\xBB\xBF# x\ny") << QByteArray("1-2");
     QTest::newRow("indented comments") << QByteArray("  # x\ny") << QByteArray("1-2");
 }
 
