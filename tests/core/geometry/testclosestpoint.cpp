@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "core/geometry/closestpoint.h"
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "tests/core/geometry/wild.h"
+#include "tests/testmain.h"
+
+namespace romanesco::test {
+
+namespace {
+
+Real dot(const RealVector &a, const RealVector &b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+RealVector difference(const RealVector &a, const RealVector &b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// In 100 digits, by the normal equations of each vertex, edge and face: the least of the squares whose foot is inside.
+Real trueDistance(const Triangle &triangle, const glm::dvec3 &p)
+{
+    std::optional<Real> least;
+    const auto consider = [&](const Real &square) {
+        if (!least || square < *least) {
+            least = square < 0 ? Real(0) : square;
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const RealVector toPoint = difference(exact(p), exact(triangle[i]));
+        const RealVector u = difference(exact(triangle[(i + 1) % 3]), exact(triangle[i]));
+        const RealVector v = difference(exact(triangle[(i + 2) % 3]), exact(triangle[i]));
+        const Real uu = dot(u, u);
+        const Real vv = dot(v, v);
+        const Real uv = dot(u, v);
+        const Real up = dot(u, toPoint);
+        const Real vp = dot(v, toPoint);
+        consider(dot(toPoint, toPoint));
+        if (up >= 0 && up <= uu && uu > 0) {
+            consider(dot(toPoint, toPoint) - up * up / uu);
+        }
+        const Real determinant = uu * vv - uv * uv;
+        const Real s = vv * up - uv * vp;
+        const Real t = uu * vp - uv * up;
+        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+            consider(dot(toPoint, toPoint) - (s * up + t * vp) / determinant);
+        }
+    }
+    return sqrt(*least);
+}
+
+double largestOffset(const Triangle &triangle, const glm::dvec3 &p)
+{
+    double size = 0.0;
+    for (const glm::dvec3 &vertex : triangle) {
+        for (int axis = 0; axis < 3; ++axis) {
+            size = std::max(size, std::abs(vertex[axis] - p[axis]));
+        }
+    }
+    return size;
+}
+
+/// What is promised of an answer. The point itself is rounded to doubles where p is.
+void requireClosest(const Triangle &triangle, const glm::dvec3 &p)
+{
+    const ClosestPoint answer = closestPoint(triangle, p);
+    const Real truth = trueDistance(triangle, p);
+    const Real unit = Real(std::ldexp(largestOffset(triangle, p), -53));
+    RC_ASSERT(Real(answer.lower) <= truth);
+    RC_ASSERT(Real(answer.distance) - Real(answer.lower) <= 32 * unit);
+    RC_ASSERT(Real(answer.distance) >= truth - 8 * unit);
+    const Real ulp = Real(std::ldexp(std::max(glm::length(answer.point), 1e-300), -52));
+    RC_ASSERT(trueDistance(triangle, answer.point) <= 8 * unit + ulp);
+    RC_ASSERT(abs(distance(exact(p), exact(answer.point)) - Real(answer.distance)) <= 8 * unit + ulp);
+}
+
+class Draw
+{
+public:
+    explicit Draw(std::uint32_t seed)
+        : m_engine(seed)
+    {
+    }
+
+    double number(double least, double greatest)
+    {
+        return std::uniform_real_distribution<double>(least, greatest)(m_engine);
+    }
+    glm::dvec3 vector(double size = 1.0) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+    double size(int least, int greatest) { return std::pow(10.0, number(least, greatest)); }
+
+private:
+    std::mt19937 m_engine;
+};
+
+}
+
+class TestClosestPoint : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void trianglesOfAnyShapeHaveACertifiedAnswer_data();
+    void trianglesOfAnyShapeHaveACertifiedAnswer();
+    void verticesMayStandInAnyOrder();
+    void sizesMayBeExtreme();
+    void normalsMayUnderflow();
+    void pointsOfTheTriangleAreAtNoDistance();
+};
+
+enum class Shape { Plain, Far, Needle, Sliver, Segment, Point, NearPlane };
+
+void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer_data()
+{
+    QTest::addColumn<Shape>("shape");
+    QTest::newRow("plain") << Shape::Plain;
+    QTest::newRow("far from the origin") << Shape::Far;
+    QTest::newRow("one short edge") << Shape::Needle;
+    QTest::newRow("three vertices nearly in a row") << Shape::Sliver;
+    QTest::newRow("three vertices in a row") << Shape::Segment;
+    QTest::newRow("one point") << Shape::Point;
+    QTest::newRow("seen from near its plane") << Shape::NearPlane;
+}
+
+void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer()
+{
+    QFETCH(Shape, shape);
+    QVERIFY(rc::check([shape](std::uint32_t seed) {
+        Draw draw(seed);
+        Triangle triangle{draw.vector(), draw.vector(), draw.vector()};
+        glm::dvec3 p = draw.vector(draw.size(-3, 2));
+        const glm::dvec3 along = triangle[1] - triangle[0];
+        switch (shape) {
+        case Shape::Plain:
+            break;
+        case Shape::Far: {
+            const glm::dvec3 away = draw.vector(draw.size(3, 12));
+            triangle = {triangle[0] + away, triangle[1] + away, triangle[2] + away};
+            p += away;
+            break;
+        }
+        case Shape::Needle:
+            triangle[2] = triangle[1] + draw.vector(draw.size(-17, -3));
+            break;
+        case Shape::Sliver:
+            triangle[2] = triangle[0] + draw.number(-1.0, 2.0) * along + draw.vector(draw.size(-17, -3));
+            break;
+        case Shape::Segment:
+            triangle[2] = triangle[0] + (draw.number(0.0, 1.0) < 0.5 ? 0.5 : 2.0) * along;
+            break;
+        case Shape::Point:
+            triangle[1] = triangle[2] = triangle[0];
+            break;
+        case Shape::NearPlane:
+            p = triangle[0] + draw.number(-1.0, 2.0) * along + draw.number(-1.0, 2.0) * (triangle[2] - triangle[0])
+                + draw.vector(draw.size(-20, -6));
+            break;
+        }
+        requireClosest(triangle, p);
+    }));
+}
+
+void TestClosestPoint::verticesMayStandInAnyOrder()
+{
+    QVERIFY(rc::check([](std::uint32_t seed) {
+        Draw draw(seed);
+        const Triangle triangle{draw.vector(), draw.vector(), draw.vector()};
+        const glm::dvec3 p = draw.vector(2.0);
+        const double expected = closestPoint(triangle, p).distance;
+        std::array order{0, 1, 2};
+        do {
+            const auto at = [&](int i) {
+                return triangle[static_cast<std::size_t>(order[static_cast<std::size_t>(i)])];
+            };
+            RC_ASSERT(std::abs(closestPoint({at(0), at(1), at(2)}, p).distance - expected) <= 1e-14);
+        } while (std::ranges::next_permutation(order).found);
+    }));
+}
+
+void TestClosestPoint::sizesMayBeExtreme()
+{
+    QVERIFY(rc::check([] {
+        // nine powers of ten apart at most, so that 100 digits are enough for the truth
+        const int least = *rc::gen::inRange(-290, 290);
+        const auto vector = [least] { return *wildVector(least, least + 9); };
+        const Triangle triangle{vector(), vector(), vector()};
+        requireClosest(triangle, vector());
+    }));
+    for (const double size : {1e-300, 1e-160, 1e-30, 1e30, 1e160, 1e300}) {
+        const Triangle triangle{glm::dvec3(size, 0, 0), glm::dvec3(0, size, 0), glm::dvec3(0, 0, size)};
+        const ClosestPoint answer = closestPoint(triangle, glm::dvec3(0.0));
+        QVERIFY(std::abs(answer.distance / size - 1.0 / std::sqrt(3.0)) <= 1e-15);
+        QVERIFY(glm::length(answer.point / size - glm::dvec3(1.0 / 3.0)) <= 1e-15);
+    }
+}
+
+void TestClosestPoint::normalsMayUnderflow()
+{
+    for (double size = 1e-70; size > 1e-90; size *= 0.3) {
+        const Triangle triangle{glm::dvec3(1, size, 0), glm::dvec3(1, 0, size), glm::dvec3(1, -size, -size)};
+        const ClosestPoint answer = closestPoint(triangle, glm::dvec3(0.0));
+        QVERIFY(answer.lower <= 1.0);
+        QVERIFY(answer.distance >= 1.0 && answer.distance - answer.lower <= 32 * 0x1p-53);
+    }
+}
+
+void TestClosestPoint::pointsOfTheTriangleAreAtNoDistance()
+{
+    const Triangle triangle{glm::dvec3(0, 0, 0), glm::dvec3(4, 0, 0), glm::dvec3(0, 4, 0)};
+    for (const glm::dvec3 &p : {triangle[0], triangle[1], triangle[2], glm::dvec3(2, 0, 0), glm::dvec3(2, 2, 0),
+                                glm::dvec3(0, 1, 0), glm::dvec3(1, 1, 0), glm::dvec3(0.1, 0.3, 0)}) {
+        const ClosestPoint answer = closestPoint(triangle, p);
+        QVERIFY(answer.distance <= 1e-15);
+        QCOMPARE(answer.lower, 0.0);
+        QVERIFY(glm::distance(answer.point, p) <= 1e-15);
+    }
+    const ClosestPoint above = closestPoint(triangle, {1, 1, 0.25});
+    QCOMPARE(above.point, glm::dvec3(1, 1, 0));
+    QCOMPARE(above.distance, 0.25);
+}
+
+}
+
+ROMANESCO_TEST(romanesco::test::TestClosestPoint)
+
+#include "testclosestpoint.moc"
