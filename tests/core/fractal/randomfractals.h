@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <random>
+
+#include "core/geometry/affinemap.h"
+#include "core/geometry/mesh.h"
+#include "tests/core/naive.h"
+
+/// Fractals of every kind, small enough to be written out.
+namespace romanesco::test {
+
+inline double uniform(std::mt19937_64 &random, double least, double greatest)
+{
+    return std::uniform_real_distribution<double>(least, greatest)(random);
+}
+
+/// Similar, unequal, mirrored, flat or sheared; of norm `largest` at most, or nearly.
+inline AffineMap randomMap(std::mt19937_64 &random, double largest)
+{
+    const auto angle = [&] { return uniform(random, -360, 360); };
+    const auto size = [&] { return uniform(random, 0.2 * largest, largest); };
+    glm::dvec3 scale(size());
+    switch (random() % 6) {
+    case 0:
+        scale = {size(), size(), size()};
+        break;
+    case 1:
+        scale.x = -scale.x;
+        break;
+    case 2:
+        scale.z = 0;
+        break;
+    default:
+        break;
+    }
+    AffineMap map = mapFromParts({uniform(random, -2, 2), uniform(random, -2, 2), uniform(random, -2, 2)},
+                                 {angle(), angle(), angle()}, scale);
+    if (random() % 6 == 0) {
+        map.linear[1] += 0.2 * largest * map.linear[0];
+    }
+    return map;
+}
+
+inline naive::Fractal randomFractal(std::mt19937_64 &random, double largest)
+{
+    while (true) {
+        naive::Fractal fractal;
+        for (int i = 0; i < 3; ++i) {
+            fractal.maps.push_back(randomMap(random, largest));
+        }
+        fractal.sets = naive::randomSets(random, 3);
+        fractal.items = naive::randomItems(random, fractal.sets.size(), 0, 9);
+        const naive::Levels levels = fractal.levels();
+        if (levels.size() >= 2 && levels.size() <= 24 && naive::wordsAsWritten(levels) <= 3'000) {
+            return fractal;
+        }
+    }
+}
+
+inline Mesh randomMesh(std::mt19937_64 &random)
+{
+    Mesh mesh;
+    const glm::dvec3 offset(uniform(random, -3, 3), 0, uniform(random, -1, 1));
+    for (int i = 0; i < 4; ++i) {
+        mesh.vertices.push_back(offset
+                                + glm::dvec3(uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)));
+    }
+    mesh.faces = {{0, 1, 2}, {1, 2, 3}};
+    return mesh;
+}
+
+}
