@@ -3,12 +3,12 @@
 #include "core/geometry/closestpoint.h"
 
 #include <algorithm>
-#include <optional>
 #include <random>
 
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "tests/core/geometry/triangletruth.h"
 #include "tests/core/geometry/wild.h"
 #include "tests/testmain.h"
 
@@ -16,46 +16,9 @@ namespace romanesco::test {
 
 namespace {
 
-Real dot(const RealVector &a, const RealVector &b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-RealVector difference(const RealVector &a, const RealVector &b)
-{
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-/// In 100 digits, by the normal equations of each vertex, edge and face: the least of the squares whose foot is inside.
 Real trueDistance(const Triangle &triangle, const glm::dvec3 &p)
 {
-    std::optional<Real> least;
-    const auto consider = [&](const Real &square) {
-        if (!least || square < *least) {
-            least = square < 0 ? Real(0) : square;
-        }
-    };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const RealVector toPoint = difference(exact(p), exact(triangle[i]));
-        const RealVector u = difference(exact(triangle[(i + 1) % 3]), exact(triangle[i]));
-        const RealVector v = difference(exact(triangle[(i + 2) % 3]), exact(triangle[i]));
-        const Real uu = dot(u, u);
-        const Real vv = dot(v, v);
-        const Real uv = dot(u, v);
-        const Real up = dot(u, toPoint);
-        const Real vp = dot(v, toPoint);
-        consider(dot(toPoint, toPoint));
-        if (up >= 0 && up <= uu && uu > 0) {
-            consider(dot(toPoint, toPoint) - up * up / uu);
-        }
-        const Real determinant = uu * vv - uv * uv;
-        const Real s = vv * up - uv * vp;
-        const Real t = uu * vp - uv * up;
-        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
-            consider(dot(toPoint, toPoint) - (s * up + t * vp) / determinant);
-        }
-    }
-    return sqrt(*least);
+    return truth::distance<Real>({exact(triangle[0]), exact(triangle[1]), exact(triangle[2])}, exact(p));
 }
 
 double largestOffset(const Triangle &triangle, const glm::dvec3 &p)
@@ -73,11 +36,11 @@ double largestOffset(const Triangle &triangle, const glm::dvec3 &p)
 void requireClosest(const Triangle &triangle, const glm::dvec3 &p)
 {
     const ClosestPoint answer = closestPoint(triangle, p);
-    const Real truth = trueDistance(triangle, p);
+    const Real least = trueDistance(triangle, p);
     const Real unit = Real(std::ldexp(largestOffset(triangle, p), -53));
-    RC_ASSERT(Real(answer.lower) <= truth);
+    RC_ASSERT(Real(answer.lower) <= least);
     RC_ASSERT(Real(answer.distance) - Real(answer.lower) <= 32 * unit);
-    RC_ASSERT(Real(answer.distance) >= truth - 8 * unit);
+    RC_ASSERT(Real(answer.distance) >= least - 8 * unit);
     const Real ulp = Real(std::ldexp(std::max(glm::length(answer.point), 1e-300), -52));
     RC_ASSERT(trueDistance(triangle, answer.point) <= 8 * unit + ulp);
     RC_ASSERT(abs(distance(exact(p), exact(answer.point)) - Real(answer.distance)) <= 8 * unit + ulp);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include <glm/vec3.hpp>
+
+#include "core/fractal/address.h"
+
+namespace romanesco {
+
+/// What is known of an answer's distance d, the least one being m.
+enum class Promise {
+    Exact,      ///< d is m, but for rounding
+    Within,     ///< d is at most (1 + excess)·m
+    UpperBound, ///< d is that of a point of the surface; a nearer one may have been missed
+    None,       ///< may err both ways
+};
+
+/// What an answer took. Counts, so that they are the same on every machine.
+struct SearchCost {
+    /// Faces of which the distance to p was found.
+    std::uint64_t faceTests = 0;
+    /// States of the fractal (or nodes of a tree) that were entered.
+    std::uint64_t nodeVisits = 0;
+};
+
+/// The nearest point of a surface that was found. It keeps its memory when it is used again.
+struct Hit {
+    /// Infinite where nothing was found within the radius; then only promise, lower and cost mean anything.
+    double distance = std::numeric_limits<double>::infinity();
+    glm::dvec3 point{0.0};
+    /// Of length 1: from the point to p, which is the contact's normal; the face's own where p lies on it, and up on a
+    /// face without one.
+    glm::dvec3 direction{0.0, 1.0, 0.0};
+    /// Where the point is: a face of the base mesh, in the copy with this address.
+    std::uint32_t face = 0;
+    Address address;
+
+    Promise promise = Promise::Exact;
+    /// Of Promise::Within.
+    double excess = 0.0;
+    /// No point of the surface is nearer; 0 where nothing is proved.
+    double lower = 0.0;
+    SearchCost cost;
+
+    [[nodiscard]] bool isFound() const { return distance < std::numeric_limits<double>::infinity(); }
+};
+
+/// Which point of the surface is asked for.
+struct Query {
+    glm::dvec3 p{0.0};
+    /// Only points at most so far from p count.
+    double radius = std::numeric_limits<double>::infinity();
+};
+
+/// Finds points of a surface. It holds what a search needs between queries, so that none allocates once it has grown:
+/// one for each thread. The collider that made it must outlive it.
+class Search
+{
+public:
+    virtual ~Search() = default;
+
+    /// The nearest point of the surface to p. p must be finite. Ties are broken in favour of the first copy, then face.
+    virtual void closest(const Query &query, Hit &hit) = 0;
+};
+
+/// A surface that can be touched: of a fractal or a mesh, in its model's own coordinates. Immutable; any number of threads
+/// may search it, each with a Search of its own.
+class Collider
+{
+public:
+    virtual ~Collider() = default;
+
+    [[nodiscard]] virtual std::unique_ptr<Search> search() const = 0;
+
+    /// Bytes held beside the mesh and the graph.
+    [[nodiscard]] virtual std::size_t memoryUse() const = 0;
+};
+
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "greedycollider.h"
+
+#include <algorithm>
+#include <cassert>
+#include <format>
+
+#include "nearest.h"
+
+namespace romanesco {
+
+namespace {
+
+using Slot = LevelSequence::Slot;
+using Maps = std::vector<AffineMap>;
+
+constexpr Position mostLevels = 1'000'000;
+constexpr std::size_t mostTransformations = 100'000;
+
+Maps mapsOf(const TransformSet &set)
+{
+    Maps maps = set.maps;
+    if (set.holdsIdentity) {
+        maps.emplace_back();
+    }
+    return maps;
+}
+
+/// All products of a pick from each level of an iteration; empty where they are too many.
+Maps productsOf(const LevelSequence::Repeat &iteration, const std::vector<Maps> &ofSlot)
+{
+    Maps products{AffineMap{}};
+    for (Slot slot = iteration.firstSlot; slot < iteration.endSlot; ++slot) {
+        if (products.size() * ofSlot[slot].size() > mostTransformations) {
+            return {};
+        }
+        Maps longer;
+        for (const AffineMap &outer : products) {
+            for (const AffineMap &inner : ofSlot[slot]) {
+                longer.push_back(outer * inner);
+            }
+        }
+        products = std::move(longer);
+    }
+    return products;
+}
+
+}
+
+/// Goes down the fractal once for each query.
+class GreedyCollider::Descent final : public Search
+{
+public:
+    explicit Descent(const GreedyCollider &collider)
+        : m_collider(collider)
+    {
+    }
+
+    void closest(const Query &query, Hit &hit) override
+    {
+        const LevelSequence &levels = m_collider.m_graph.levels();
+        hit.address.clear();
+        hit.cost = {};
+        AffineMap modelFromStep;
+        NearestFace nearest(m_collider.m_mesh, query.p);
+        if (levels.levelCount() == 0) {
+            nearest.consider(modelFromStep, m_vertices);
+        }
+        for (Position position = 0; position < levels.levelCount();) {
+            const LevelSequence::Location at = levels.locate(position);
+            const Maps &iteration = m_collider.m_ofIteration[at.repeat];
+            const Maps &maps = iteration.empty() ? m_collider.m_ofSlot[at.slot] : iteration;
+            const Position end = position + (iteration.empty() ? 1 : levels.repeats()[at.repeat].passLength);
+
+            assert(!maps.empty() && "a level has a map or #");
+            nearest.restart();
+            std::size_t chosen = 0;
+            for (std::size_t i = 0; i < maps.size(); ++i) {
+                if (nearest.consider(modelFromStep * maps[i], m_vertices)) {
+                    chosen = i;
+                }
+            }
+            modelFromStep = modelFromStep * maps[chosen];
+            appendPicks(position, end, chosen, hit.address);
+            ++hit.cost.nodeVisits;
+            position = end;
+        }
+        report(nearest, query, Promise::UpperBound, hit);
+    }
+
+private:
+    /// The levels [position, end) are numbered by a step's transformations like the digits of a number.
+    void appendPicks(Position position, Position end, std::size_t number, Address &address) const
+    {
+        const FractalGraph &graph = m_collider.m_graph;
+        const std::size_t before = address.size();
+        while (end-- > position) {
+            const TransformSet &set = graph.setAt(graph.levels().locate(end).slot);
+            const std::size_t map = number % set.size();
+            number /= set.size();
+            if (map < set.maps.size()) {
+                address.push_back({end, static_cast<std::uint32_t>(map)});
+            }
+        }
+        std::reverse(address.begin() + static_cast<std::ptrdiff_t>(before), address.end());
+    }
+
+    const GreedyCollider &m_collider;
+    std::vector<glm::dvec3> m_vertices;
+};
+
+GreedyCollider::GreedyCollider(const FractalGraph &graph, const Mesh &mesh)
+    : m_graph(graph)
+    , m_mesh(mesh)
+    , m_ofIteration(graph.levels().repeats().size())
+{
+    const LevelSequence &levels = graph.levels();
+    for (Slot slot = 0; slot < levels.slotCount(); ++slot) {
+        m_ofSlot.push_back(mapsOf(graph.setAt(slot)));
+    }
+    for (std::size_t i = 1; i < levels.repeats().size(); ++i) {
+        if (levels.repeats()[i].inner.empty()) {
+            m_ofIteration[i] = productsOf(levels.repeats()[i], m_ofSlot);
+        }
+    }
+}
+
+std::expected<GreedyCollider, std::string> GreedyCollider::create(const FractalGraph &graph, const Mesh &mesh)
+{
+    if (graph.levels().levelCount() > mostLevels) {
+        return std::unexpected(std::format("a step for each of {} levels would take too long (at most {})",
+                                           graph.levels().levelCount(), mostLevels));
+    }
+    return GreedyCollider(graph, mesh);
+}
+
+std::unique_ptr<Search> GreedyCollider::search() const
+{
+    return std::make_unique<Descent>(*this);
+}
+
+std::size_t GreedyCollider::memoryUse() const
+{
+    std::size_t bytes = sizeof(*this);
+    for (const std::vector<Maps> *lists : {&m_ofIteration, &m_ofSlot}) {
+        for (const Maps &maps : *lists) {
+            bytes += sizeof(maps) + maps.capacity() * sizeof(AffineMap);
+        }
+    }
+    return bytes;
+}
+
+}

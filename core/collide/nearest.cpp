@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "nearest.h"
+
+#include <algorithm>
+
+#include <glm/geometric.hpp>
+
+namespace romanesco {
+
+bool NearestFace::consider(const AffineMap &modelFromBase, std::vector<glm::dvec3> &scratch)
+{
+    scratch.resize(m_mesh.vertices.size());
+    std::ranges::transform(m_mesh.vertices, scratch.begin(), modelFromBase);
+    bool isNearer = false;
+    for (std::size_t i = 0; i < m_mesh.faces.size(); ++i) {
+        const Mesh::Face &face = m_mesh.faces[i];
+        const Triangle triangle{scratch[face[0]], scratch[face[1]], scratch[face[2]]};
+        const ClosestPoint point = closestPoint(triangle, m_p);
+        m_lower = std::min(m_lower, point.lower);
+        if (point.distance < m_nearest.distance) {
+            m_nearest = point;
+            m_triangle = triangle;
+            m_face = static_cast<std::uint32_t>(i);
+            isNearer = true;
+        }
+    }
+    m_faceTests += m_mesh.faces.size();
+    return isNearer;
+}
+
+void NearestFace::restart()
+{
+    m_nearest = nothing;
+    m_lower = nothing.lower;
+}
+
+glm::dvec3 NearestFace::direction() const
+{
+    const glm::dvec3 way = m_p - m_nearest.point;
+    const glm::dvec3 normal = glm::cross(m_triangle[1] - m_triangle[0], m_triangle[2] - m_triangle[0]);
+    for (const glm::dvec3 &along : {way, normal}) {
+        // scaled, since squares of small distances underflow
+        const double size = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
+        if (size > 0.0) {
+            return glm::normalize(along / size);
+        }
+    }
+    return {0.0, 1.0, 0.0};
+}
+
+void report(const NearestFace &nearest, const Query &query, Promise promise, Hit &hit)
+{
+    hit.promise = promise;
+    hit.excess = 0.0;
+    hit.lower = promise == Promise::Exact ? nearest.lower() : 0.0;
+    hit.cost.faceTests = nearest.faceTests();
+    hit.distance = std::numeric_limits<double>::infinity();
+    if (nearest.nearest().distance <= query.radius) {
+        hit.distance = nearest.nearest().distance;
+        hit.point = nearest.nearest().point;
+        hit.direction = nearest.direction();
+        hit.face = nearest.face();
+    }
+}
+
+}

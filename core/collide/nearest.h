@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "collider.h"
+#include "core/geometry/affinemap.h"
+#include "core/geometry/closestpoint.h"
+#include "core/geometry/mesh.h"
+
+namespace romanesco {
+
+/// The nearest of the faces that were looked at so far, one by one, of copies of a mesh.
+class NearestFace
+{
+public:
+    NearestFace(const Mesh &mesh, const glm::dvec3 &p)
+        : m_mesh(mesh)
+        , m_p(p)
+    {
+    }
+
+    /// Looks at all faces of a copy. Whether the nearest so far is one of them.
+    bool consider(const AffineMap &modelFromBase, std::vector<glm::dvec3> &scratch);
+
+    /// Forgets all but the number of tests.
+    void restart();
+
+    /// Infinite distances before the first face.
+    [[nodiscard]] const ClosestPoint &nearest() const { return m_nearest; }
+    [[nodiscard]] std::uint32_t face() const { return m_face; }
+    [[nodiscard]] glm::dvec3 direction() const;
+    [[nodiscard]] std::uint64_t faceTests() const { return m_faceTests; }
+    /// What is proved of all faces together.
+    [[nodiscard]] double lower() const { return m_lower; }
+
+private:
+    static constexpr ClosestPoint nothing{glm::dvec3(0.0), std::numeric_limits<double>::infinity(),
+                                          std::numeric_limits<double>::infinity()};
+
+    const Mesh &m_mesh;
+    glm::dvec3 m_p;
+    ClosestPoint m_nearest = nothing;
+    double m_lower = nothing.lower;
+    Triangle m_triangle{};
+    std::uint32_t m_face = 0;
+    std::uint64_t m_faceTests = 0;
+};
+
+/// What the faces come to for a query, but for the address. lower is that of the faces where the promise is Exact, else 0.
+void report(const NearestFace &nearest, const Query &query, Promise promise, Hit &hit);
+
+}

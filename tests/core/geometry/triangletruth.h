@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+/// The oracle of distances to triangles, in numbers of enough digits.
+namespace romanesco::test::truth {
+
+template<typename T>
+using Vector = std::array<T, 3>;
+
+template<typename T>
+T dot(const Vector<T> &a, const Vector<T> &b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template<typename T>
+Vector<T> difference(const Vector<T> &a, const Vector<T> &b)
+{
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/// By the normal equations of each vertex, edge and face: the least of the squares whose foot is inside.
+template<typename T>
+T distance(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
+{
+    std::optional<T> least;
+    const auto consider = [&](const T &square) {
+        if (!least || square < *least) {
+            least = square < 0 ? T(0) : square;
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vector<T> toPoint = difference(p, triangle[i]);
+        const Vector<T> u = difference(triangle[(i + 1) % 3], triangle[i]);
+        const Vector<T> v = difference(triangle[(i + 2) % 3], triangle[i]);
+        const T uu = dot(u, u);
+        const T vv = dot(v, v);
+        const T uv = dot(u, v);
+        const T up = dot(u, toPoint);
+        const T vp = dot(v, toPoint);
+        consider(dot(toPoint, toPoint));
+        if (up >= 0 && up <= uu && uu > 0) {
+            consider(T(dot(toPoint, toPoint) - up * up / uu));
+        }
+        const T determinant = uu * vv - uv * uv;
+        const T s = vv * up - uv * vp;
+        const T t = uu * vp - uv * up;
+        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+            consider(T(dot(toPoint, toPoint) - (s * up + t * vp) / determinant));
+        }
+    }
+    return sqrt(*least);
+}
+
+}
