@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -75,6 +77,38 @@ bool isPermutedDiagonal(const glm::dmat3 &matrix)
     return true;
 }
 
+/// The columns of a matrix, each times the power of two that brings its largest entry to [0.5, 1); exact but where
+/// entries of one column differ by 10^300.
+struct ScaledColumns {
+    glm::dmat3 matrix;
+    int exponents[3];
+
+    explicit ScaledColumns(const glm::dmat3 &from)
+    {
+        for (int column = 0; column < 3; ++column) {
+            const glm::dvec3 size = glm::abs(from[column]);
+            (void)std::frexp(std::max({size.x, size.y, size.z}), &exponents[column]);
+            for (int row = 0; row < 3; ++row) {
+                matrix[column][row] = std::ldexp(from[column][row], -exponents[column]);
+            }
+        }
+    }
+
+    /// 0 where its rounding may have made it.
+    [[nodiscard]] double determinant() const
+    {
+        const glm::dvec3 &a = matrix[0];
+        const glm::dvec3 &b = matrix[1];
+        const glm::dvec3 &c = matrix[2];
+        const double value = glm::dot(a, glm::cross(b, c));
+        // Six products of three numbers, each rounded twice, and their sums.
+        const glm::dvec3 sizes(std::abs(b.y * c.z) + std::abs(b.z * c.y), std::abs(b.z * c.x) + std::abs(b.x * c.z),
+                               std::abs(b.x * c.y) + std::abs(b.y * c.x));
+        const double error = 8.0 * std::numeric_limits<double>::epsilon() * glm::dot(glm::abs(a), sizes) + 1e-300;
+        return std::abs(value) > error ? value : 0.0;
+    }
+};
+
 }
 
 std::size_t AffineMapHash::operator()(const AffineMap &map) const
@@ -129,6 +163,37 @@ bool isSimilarity(const glm::dmat3 &matrix)
     const glm::dmat3 gram = glm::transpose(scaled) * scaled;
     const double square = gram[0][0];
     return largestEntry(gram - glm::dmat3(square)) <= 1e-12 * square;
+}
+
+int determinantSign(const glm::dmat3 &matrix)
+{
+    const double determinant = ScaledColumns(matrix).determinant();
+    return determinant > 0.0 ? 1 : determinant < 0.0 ? -1 : 0;
+}
+
+std::optional<AffineMap> inverse(const AffineMap &map)
+{
+    const ScaledColumns columns(map.linear);
+    const double determinant = columns.determinant();
+    if (determinant == 0.0) {
+        return std::nullopt;
+    }
+    AffineMap result;
+    bool isFinite = true;
+    for (int row = 0; row < 3; ++row) {
+        const glm::dvec3 normal =
+            glm::cross(columns.matrix[(row + 1) % 3], columns.matrix[(row + 2) % 3]) / determinant;
+        for (int column = 0; column < 3; ++column) {
+            result.linear[column][row] = std::ldexp(normal[column], -columns.exponents[row]);
+        }
+        double moved = 0.0;
+        for (int column = 0; column < 3; ++column) {
+            moved -= result.linear[column][row] * map.translation[column];
+        }
+        result.translation[row] = moved;
+        isFinite = isFinite && std::isfinite(moved); // which it is not where an entry is infinite
+    }
+    return isFinite ? std::optional(result) : std::nullopt;
 }
 
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -38,5 +39,13 @@ struct AffineMapHash {
 
 /// Whether the matrix is a uniform scale times a rotation or reflection, within 1e-12 of its norm.
 [[nodiscard]] bool isSimilarity(const glm::dmat3 &matrix);
+
+/// The sign of the determinant: -1 where the matrix mirrors, 1 where not, and 0 where it is flat or its columns are
+/// within rounding of a plane. Never the opposite of the true sign, whatever the sizes of the columns.
+[[nodiscard]] int determinantSign(const glm::dmat3 &matrix);
+
+/// The map that takes back what this one does; nothing where determinantSign() is 0 or a double does not hold it.
+/// Its error grows with the condition of the matrix, columns brought to one size.
+[[nodiscard]] std::optional<AffineMap> inverse(const AffineMap &map);
 
 }

@@ -90,6 +90,11 @@ private Q_SLOTS:
     void similaritiesAreTold();
     void scaledRotationsAreSimilarities();
     void equalMapsHaveEqualHashes();
+    void determinantsHaveTheirSign_data();
+    void determinantsHaveTheirSign();
+    void determinantSignsAreNeverWrong();
+    void inversesTakeMapsBack();
+    void inversesThatNoDoubleHoldsAreLeftOut();
 };
 
 void TestAffineMap::aMapScalesThenRotatesThenMoves()
@@ -213,6 +218,90 @@ void TestAffineMap::equalMapsHaveEqualHashes()
     other.linear[1][2] = std::numeric_limits<double>::denorm_min();
     QVERIFY(!(zero == other));
     QVERIFY(AffineMapHash{}(zero) != AffineMapHash{}(other));
+}
+
+namespace {
+
+Real exactDeterminant(const glm::dmat3 &m)
+{
+    const auto entry = [&](int column, int row) { return Real(m[column][row]); };
+    const auto minorAt = [&](int a, int b) { return entry(1, a) * entry(2, b) - entry(1, b) * entry(2, a); };
+    return entry(0, 0) * minorAt(1, 2) + entry(0, 1) * minorAt(2, 0) + entry(0, 2) * minorAt(0, 1);
+}
+
+}
+
+void TestAffineMap::determinantsHaveTheirSign_data()
+{
+    QTest::addColumn<glm::dmat3>("matrix");
+    QTest::addColumn<int>("sign");
+    const glm::dmat3 turn = rotationFromDegrees({12, 34, 56});
+    const auto scales = [](double x, double y, double z) { return glm::dmat3(x, 0, 0, 0, y, 0, 0, 0, z); };
+    QTest::newRow("identity") << glm::dmat3(1) << 1;
+    QTest::newRow("turned") << turn << 1;
+    QTest::newRow("mirrored") << turn * scales(1, -1, 1) << -1;
+    QTest::newRow("point reflection") << turn * -0.5 << -1;
+    QTest::newRow("flat") << turn * scales(1, 1, 0) << 0;
+    QTest::newRow("zero") << glm::dmat3(0) << 0;
+    QTest::newRow("equal columns") << glm::dmat3(turn[0], turn[1], turn[0]) << 0;
+    QTest::newRow("in a plane but for rounding") << glm::dmat3(turn[0], turn[1], 0.1 * turn[0] + 0.7 * turn[1]) << 0;
+    QTest::newRow("tiny") << turn * 1e-250 << 1;
+    QTest::newRow("needle") << turn * scales(1e-200, -1e-200, 1e200) << -1;
+    QTest::newRow("huge") << scales(-1e300, 1e300, 1e300) << -1;
+    QTest::newRow("not a number") << glm::dmat3(std::numeric_limits<double>::quiet_NaN()) << 0;
+}
+
+void TestAffineMap::determinantsHaveTheirSign()
+{
+    QFETCH(glm::dmat3, matrix);
+    QTEST(determinantSign(matrix), "sign");
+}
+
+void TestAffineMap::determinantSignsAreNeverWrong()
+{
+    int signs = 0;
+    QVERIFY(rc::check([&] {
+        glm::dmat3 matrix = *wildMatrix(-3, 3);
+        matrix[2] = *wildNumber(-3, 3) * matrix[0] + *wildNumber(-3, 3) * matrix[1]
+            + *wildNumber(-20, 1) * glm::dvec3(1, 1, 1); // hardly out of a plane
+        const Real truth = exactDeterminant(matrix);
+        const int sign = determinantSign(matrix);
+        RC_ASSERT(sign * truth >= 0);
+        signs += sign != 0 ? 1 : 0;
+    }));
+    QVERIFY(signs > 20);
+}
+
+void TestAffineMap::inversesTakeMapsBack()
+{
+    int inverses = 0;
+    QVERIFY(rc::check([&] {
+        const AffineMap map{*wildMatrix(-2, 2) * *wildNumber(-100, 100), *wildVector(-2, 2)};
+        const std::optional<AffineMap> back = inverse(map);
+        RC_ASSERT(back.has_value() == (determinantSign(map.linear) != 0));
+        if (back) {
+            ++inverses;
+            // Sizes of the columns apart, the condition of such a matrix is mostly below 10^6.
+            const Real condition = Real(operatorNorm(map.linear)) * Real(operatorNorm(back->linear));
+            const RealVector point = exact(*wildVector(-2, 2));
+            const RealVector there = applied(map, point);
+            const Real size = distance(there, RealVector{}) * Real(operatorNorm(back->linear))
+                + distance(point, RealVector{}) + distance(exact(back->translation), RealVector{});
+            RC_ASSERT(distance(applied(*back, there), point) <= Real(1e-14) * condition * size);
+        }
+    }));
+    QVERIFY(inverses > 50);
+    const glm::dmat3 half(0.5);
+    const std::optional<AffineMap> twice = inverse({half, {1, 2, 3}});
+    QVERIFY(twice && *twice == (AffineMap{glm::dmat3(2), {-2, -4, -6}}));
+}
+
+void TestAffineMap::inversesThatNoDoubleHoldsAreLeftOut()
+{
+    QVERIFY(!inverse({glm::dmat3(1e-310), {0, 0, 0}}));
+    QVERIFY(!inverse({glm::dmat3(1e-200), {1e200, 0, 0}}));
+    QVERIFY(inverse({glm::dmat3(1e-200), {1, 0, 0}}));
+    QVERIFY(!inverse({glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0), {0, 0, 0}}));
 }
 
 }
