@@ -164,7 +164,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
         place(composed, range.next, false);
         return;
     }
-    const double norm = std::min(node.norm * graph.norms(range.set)[map], frobeniusNorm(composed.linear));
+    const double norm = std::min(node.norm * graph.facts(range.set)[map].norm, frobeniusNorm(composed.linear));
     m_open.push_back({range.next, planes, composed, norm});
 }
 

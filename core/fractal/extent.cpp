@@ -76,7 +76,7 @@ double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &dire
                 const Sphere bound = transformed(parent.map, parent.norm, expansion.bounds[child]);
                 open.push({std::min(parent.reach, reachOfSphere(bound, direction)), range.next, Kind::State,
                            parent.map * table.graph().set(range.set).maps[i],
-                           parent.norm * table.graph().norms(range.set)[i]});
+                           parent.norm * table.graph().facts(range.set)[i].norm});
             }
         }
     }

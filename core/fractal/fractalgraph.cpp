@@ -17,16 +17,16 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     graph.m_sets = description.sets;
     graph.dropUnusedSets();
     for (const TransformSet &set : graph.m_sets) {
-        std::vector<double> &norms = graph.m_norms.emplace_back();
-        norms.reserve(set.maps.size());
+        std::vector<MapFacts> &facts = graph.m_facts.emplace_back();
+        facts.reserve(set.maps.size());
         for (const AffineMap &map : set.maps) {
-            norms.push_back(operatorNorm(map.linear));
+            facts.push_back(factsOf(map));
         }
     }
     graph.classifyMaps();
     graph.findEqualSets();
     graph.findLastFixedLevel();
-    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_norms, base);
+    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_facts, base);
 
     const Sphere whole = graph.bound(0);
     if (std::isfinite(whole.radius) && std::isfinite(whole.radius * whole.radius)) {
@@ -45,9 +45,9 @@ std::optional<SourceRange> FractalGraph::strongestGrowth() const
     double largestMove =
         std::max({std::abs(base().centre.x), std::abs(base().centre.y), std::abs(base().centre.z), base().radius});
     for (std::size_t i = 0; i < m_sets.size(); ++i) {
-        for (std::size_t j = 0; j < m_norms[i].size(); ++j) {
-            if (m_norms[i][j] > largestNorm) {
-                largestNorm = m_norms[i][j];
+        for (std::size_t j = 0; j < m_facts[i].size(); ++j) {
+            if (m_facts[i][j].norm > largestNorm) {
+                largestNorm = m_facts[i][j].norm;
                 strongest = m_sets[i].uses[j];
             }
             const glm::dvec3 &move = m_sets[i].maps[j].translation;
@@ -65,7 +65,7 @@ FractalGraph FractalGraph::ofMesh(const Sphere &base)
 {
     FractalGraph graph;
     graph.m_levels = LevelSequence::Builder().build();
-    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_norms, base);
+    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_facts, base);
     return graph;
 }
 
@@ -177,7 +177,7 @@ std::size_t FractalGraph::memoryUse() const
 {
     std::size_t bytes = sizeof(*this) + m_bounds.memoryUse();
     for (std::size_t i = 0; i < m_sets.size(); ++i) {
-        bytes += m_sets[i].maps.size() * (sizeof(AffineMap) + sizeof(SourceRange) + sizeof(double) + sizeof(int));
+        bytes += m_sets[i].maps.size() * (sizeof(AffineMap) + sizeof(SourceRange) + sizeof(MapFacts) + sizeof(int));
     }
     return bytes + m_levels.slotCount() * 4 * sizeof(LevelSequence::Slot);
 }

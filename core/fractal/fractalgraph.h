@@ -9,6 +9,7 @@
 
 #include "core/formats/fractaldescription.h"
 #include "core/geometry/sphere.h"
+#include "mapfacts.h"
 #include "spherebounds.h"
 
 namespace romanesco {
@@ -38,8 +39,8 @@ public:
     [[nodiscard]] const TransformSet &set(SetId id) const { return m_sets[id]; }
     [[nodiscard]] const TransformSet &setAt(LevelSequence::Slot slot) const { return m_sets[m_levels.set(slot)]; }
 
-    /// The operator norms of a set's maps, beside its maps.
-    [[nodiscard]] const std::vector<double> &norms(SetId id) const { return m_norms[id]; }
+    /// Beside the maps of a set.
+    [[nodiscard]] const std::vector<MapFacts> &facts(SetId id) const { return m_facts[id]; }
 
     /// The first set that holds the same maps, in whatever order, and `#` or not alike.
     [[nodiscard]] SetId canonical(SetId id) const { return m_canonical[id]; }
@@ -86,7 +87,7 @@ private:
 
     LevelSequence m_levels;
     std::vector<TransformSet> m_sets;
-    std::vector<std::vector<double>> m_norms;
+    std::vector<std::vector<MapFacts>> m_facts;
     std::vector<SetId> m_canonical;
     std::vector<std::vector<std::uint32_t>> m_mapClasses;
     std::uint32_t m_mapClassCount = 0;

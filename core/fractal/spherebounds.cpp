@@ -51,10 +51,10 @@ class SphereBounds::Builder
 {
 public:
     Builder(const LevelSequence &levels, const std::vector<TransformSet> &sets,
-            const std::vector<std::vector<double>> &norms, const Sphere &base)
+            const std::vector<std::vector<MapFacts>> &facts, const Sphere &base)
         : m_levels(levels)
         , m_sets(sets)
-        , m_norms(norms)
+        , m_facts(facts)
         , m_base(base)
     {
     }
@@ -78,14 +78,14 @@ public:
 
 private:
     const TransformSet &setAt(Slot slot) const { return m_sets[m_levels.set(slot)]; }
-    const std::vector<double> &normsAt(Slot slot) const { return m_norms[m_levels.set(slot)]; }
+    const std::vector<MapFacts> &factsAt(Slot slot) const { return m_facts[m_levels.set(slot)]; }
 
     void findLargestNorms()
     {
         for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
-            const std::vector<double> &norms = normsAt(slot);
-            m_largestNorm.push_back(norms.empty() ? 1.0 : *std::ranges::max_element(norms));
-            m_mapCount += norms.size();
+            const std::vector<MapFacts> &facts = factsAt(slot);
+            m_largestNorm.push_back(facts.empty() ? 1.0 : std::ranges::max(facts, {}, &MapFacts::norm).norm);
+            m_mapCount += facts.size();
         }
     }
 
@@ -106,10 +106,10 @@ private:
     Sphere oneLevelUp(Slot slot, const Sphere &next)
     {
         const TransformSet &set = setAt(slot);
-        const std::vector<double> &norms = normsAt(slot);
+        const std::vector<MapFacts> &facts = factsAt(slot);
         m_spheres.clear();
         for (std::size_t i = 0; i < set.maps.size(); ++i) {
-            m_spheres.push_back(transformed(set.maps[i], norms[i], next));
+            m_spheres.push_back(transformed(set.maps[i], facts[i].norm, next));
         }
         if (set.holdsIdentity) {
             m_spheres.push_back(next);
@@ -124,7 +124,7 @@ private:
         for (Position remaining = 1; remaining <= length && looked <= mostMaps; ++remaining) {
             const Slot slot = m_levels.locate(count - remaining).slot;
             m_bounds.m_tail.push_back(oneLevelUp(slot, m_bounds.m_tail.back()));
-            looked += normsAt(slot).size();
+            looked += factsAt(slot).size();
         }
     }
 
@@ -165,7 +165,7 @@ private:
             for (const Slot successor : m_levels.successors(slot)) {
                 const Sphere &next = sphereAt(successor);
                 for (std::size_t i = 0; i < set.maps.size(); ++i) {
-                    m_spheres.push_back(transformed(set.maps[i], normsAt(slot)[i], next));
+                    m_spheres.push_back(transformed(set.maps[i], factsAt(slot)[i].norm, next));
                 }
                 const bool isOther = successor == m_levels.slotCount() || m_group[successor] != first;
                 if (set.holdsIdentity && isOther) {
@@ -267,7 +267,7 @@ private:
         for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
             Growth growth{setAt(slot).holdsIdentity ? 1.0 : 0.0, 0.0};
             for (std::size_t i = 0; i < setAt(slot).maps.size(); ++i) {
-                growth.factor = std::max(growth.factor, normsAt(slot)[i]);
+                growth.factor = std::max(growth.factor, factsAt(slot)[i].norm);
                 growth.offset = std::max(growth.offset, glm::length(setAt(slot).maps[i].translation));
             }
             m_bounds.m_slotGrowth.push_back(growth);
@@ -295,7 +295,7 @@ private:
 
     const LevelSequence &m_levels;
     const std::vector<TransformSet> &m_sets;
-    const std::vector<std::vector<double>> &m_norms;
+    const std::vector<std::vector<MapFacts>> &m_facts;
     const Sphere m_base;
     SphereBounds m_bounds;
     std::vector<double> m_largestNorm;
@@ -305,8 +305,8 @@ private:
 };
 
 SphereBounds::SphereBounds(const LevelSequence &levels, const std::vector<TransformSet> &sets,
-                           const std::vector<std::vector<double>> &norms, const Sphere &base)
-    : SphereBounds(Builder(levels, sets, norms, base).build())
+                           const std::vector<std::vector<MapFacts>> &facts, const Sphere &base)
+    : SphereBounds(Builder(levels, sets, facts, base).build())
 {
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/formats/fractaldescription.h"
 #include "core/geometry/sphere.h"
+#include "mapfacts.h"
 
 namespace romanesco {
 
@@ -21,10 +22,9 @@ class SphereBounds
 public:
     SphereBounds() = default;
 
-    /// norms are the operator norms of the maps, beside them. Cost: some hundred distances for each map,
-    /// never more than a second or so.
+    /// facts stand beside the maps. Cost: some hundred distances for each map, never more than a second or so.
     SphereBounds(const LevelSequence &levels, const std::vector<TransformSet> &sets,
-                 const std::vector<std::vector<double>> &norms, const Sphere &base);
+                 const std::vector<std::vector<MapFacts>> &facts, const Sphere &base);
 
     /// The sphere at a position of the same levels, up to levels.levelCount(). Its radius is infinite where no double
     /// holds it.

@@ -80,7 +80,7 @@ void StateTable::expand(Entry &entry)
         const Sphere bound = state(range.next).bound;
         for (std::uint32_t map = range.firstMap; map < range.endMap; ++map) {
             expansion.bounds.push_back(
-                transformed(m_graph.set(range.set).maps[map], m_graph.norms(range.set)[map], bound));
+                transformed(m_graph.set(range.set).maps[map], m_graph.facts(range.set)[map].norm, bound));
         }
     }
     m_bytes += expansion.ranges.size() * sizeof(ChildRange) + expansion.bounds.size() * sizeof(Sphere);

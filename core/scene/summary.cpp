@@ -56,8 +56,8 @@ Summary summarise(const Model &model)
     summary.facesAsWritten = summary.instancesAsWritten * Count(*summary.facesPerBase);
 
     for (LevelSequence::Slot slot = 0; slot < levels.slotCount(); ++slot) {
-        for (const double norm : graph.norms(levels.set(slot))) {
-            widen(summary.contraction, {norm, norm});
+        for (const MapFacts &facts : graph.facts(levels.set(slot))) {
+            widen(summary.contraction, {facts.norm, facts.norm});
         }
     }
     summary.isContracting = !summary.contraction || summary.contraction->greatest < 1.0;

@@ -49,7 +49,7 @@ Cost explore(const FractalGraph &graph)
         }
         for (const ChildRange &range : table.expansion(copy.state).ranges) {
             for (std::uint32_t i = range.firstMap; i < range.endMap; ++i) {
-                open.push_back({range.next, copy.norm * graph.norms(range.set)[i]});
+                open.push_back({range.next, copy.norm * graph.facts(range.set)[i].norm});
             }
         }
     }
@@ -127,7 +127,7 @@ void TestStateTable::boundsStandBesideTheChildren()
                     std::abs(static_cast<double>(centre[axis]) - expansion.bounds[child].centre[static_cast<int>(axis)])
                     < 1e-12);
             }
-            QVERIFY(expansion.bounds[child].radius >= below.radius * tree.graph.norms(range.set)[i] * (1 - 1e-12));
+            QVERIFY(expansion.bounds[child].radius >= below.radius * tree.graph.facts(range.set)[i].norm * (1 - 1e-12));
         }
     }
     QCOMPARE(child, expansion.bounds.size());
