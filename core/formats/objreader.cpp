@@ -3,27 +3,45 @@
 #include "objreader.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <cassert>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
-#include "core/text/linemap.h"
-#include "numbers.h"
+#include <glm/common.hpp>
+
+#include "core/geometry/polygoncutter.h"
+#include "lineparser.h"
+#include "objparts.h"
+#include "objscanner.h"
+#include "objslips.h"
 
 namespace romanesco {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
+constexpr std::uint32_t none = Mesh::none;
 
-/// Takes the next word off a line; empty at its end.
-std::string_view takeWord(std::string_view &line)
+/// What corners may name.
+struct Indexed {
+    const char *one;
+    const char *many;
+};
+constexpr auto indexed = std::to_array<Indexed>({
+    {"vertex", "vertices"},
+    {"texture coordinate", "texture coordinates"},
+    {"normal", "normals"},
+});
+
+/// A list beside the vertices or faces starts with the first that has something; those without get a filling.
+template<typename Value>
+void putBeside(std::vector<Value> &list, std::size_t index, const Value &value, const Value &filling)
 {
-    const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
+    assert(list.size() <= index && "each is put once, in order");
+    list.resize(index, filling);
+    list.push_back(value);
 }
 
 class ObjReader
@@ -31,145 +49,381 @@ class ObjReader
 public:
     explicit ObjReader(std::string_view text)
         : m_text(text)
+        , m_scan(text)
     {
+        assert(text.size() < none && "indices have 32 bits");
     }
 
-    ObjResult read()
-    {
-        if (m_text.starts_with("\x1F\x8B")) {
-            error(DiagnosticCode::ObjCompressed, m_text.substr(0, 0));
-        } else if (m_text.starts_with("\xFF\xFE") || m_text.starts_with("\xFE\xFF")) {
-            error(DiagnosticCode::NotUtf8, m_text.substr(0, 0), {"it looks like UTF-16"});
-        } else {
-            readLines();
-        }
-        return std::move(m_result);
-    }
+    ObjResult read(const std::stop_token &stop);
 
 private:
-    bool error(DiagnosticCode code, std::string_view place, std::vector<std::string> arguments = {})
-    {
-        const auto begin = static_cast<std::size_t>(place.data() - m_text.data());
-        m_result.diagnostics.push_back({code, {begin, begin + place.size()}, std::move(arguments)});
-        return false;
-    }
+    using Face = Mesh::Face;
+    struct Corner {
+        std::uint32_t vertex = none;
+        std::uint32_t textureCoordinate = none;
+        std::uint32_t normal = none;
+    };
 
-    void readLines()
-    {
-        const LineMap lines(m_text);
-        for (std::size_t i = 0; i < lines.lineCount(); ++i) {
-            SourceRange range = lines.line(i);
-            if (i == 0 && m_text.starts_with("\xEF\xBB\xBF")) {
-                range.begin += 3;
-            }
-            std::string_view line = m_text.substr(range.begin, range.length());
-            std::string_view rest = line;
-            const std::string_view keyword = takeWord(rest);
-            const bool isVertex = keyword == "v";
-            if (!isVertex && keyword != "f") {
-                continue;
-            }
-            m_words.clear();
-            collectWords(rest);
-            while (!m_words.empty() && m_words.back() == "\\" && i + 1 < lines.lineCount()) {
-                m_words.pop_back();
-                const SourceRange next = lines.line(++i);
-                collectWords(m_text.substr(next.begin, next.length()));
-            }
-            if (!(isVertex ? readVertex(line) : readFace(line))) {
-                return;
-            }
-        }
-    }
+    bool error(DiagnosticCode code, SourceRange place, std::vector<std::string> arguments = {});
+    /// From where the statement starts to where the scanner is.
+    [[nodiscard]] SourceRange statement() const { return {m_statement, m_scan.offset()}; }
 
-    /// The words of a line up to a comment.
-    void collectWords(std::string_view rest)
-    {
-        for (std::string_view word = takeWord(rest); !word.empty() && word[0] != '#'; word = takeWord(rest)) {
-            // "3\" at the end of a line is the word 3 and the mark that the line goes on.
-            if (word.size() > 1 && word.back() == '\\') {
-                m_words.push_back(word.substr(0, word.size() - 1));
-                m_words.push_back(word.substr(word.size() - 1)); // of the text, as errors name its place
-            } else {
-                m_words.push_back(word);
-            }
-        }
-    }
+    void readStatements(const std::stop_token &stop);
+    bool readStatement();
+    bool readElement(std::string_view keyword);
+    void readOther(std::string_view keyword);
 
-    bool readVertex(std::string_view line)
-    {
-        if (m_words.size() < 3) {
-            return error(DiagnosticCode::ObjTooFewCoordinates, line, {std::to_string(m_words.size())});
-        }
-        glm::dvec3 vertex;
-        for (int i = 0; i < 3; ++i) {
-            const std::string_view word = m_words[static_cast<std::size_t>(i)];
-            const auto [value, status] = numberFromText(word);
-            if (status == NumberStatus::Malformed || status == NumberStatus::Overflow) {
-                const bool isMalformed = status == NumberStatus::Malformed;
-                return error(isMalformed ? DiagnosticCode::BadNumber : DiagnosticCode::NumberTooLarge, word,
-                             {std::string(word)});
-            }
-            vertex[i] = value;
-        }
-        m_result.mesh.vertices.push_back(vertex);
-        return true;
-    }
+    bool readNumber(double &value);
+    bool readNumbers(std::span<double> values, const char *rule);
+    bool readVertex();
+    bool readColour();
+    bool readTextureCoordinates();
+    bool readNormal();
 
-    bool readFace(std::string_view line)
-    {
-        if (m_words.size() < 3) {
-            return error(DiagnosticCode::ObjTooFewCorners, line, {std::to_string(m_words.size())});
-        }
-        std::uint32_t first = 0;
-        std::uint32_t previous = 0;
-        for (std::size_t i = 0; i < m_words.size(); ++i) {
-            const std::optional<std::uint32_t> index = readIndex(m_words[i]);
-            if (!index) {
-                return false;
-            }
-            if (i == 0) {
-                first = *index;
-            } else if (i > 1) {
-                m_result.mesh.faces.push_back({first, previous, *index});
-            }
-            previous = *index;
-        }
-        return true;
-    }
+    bool readFace();
+    bool readCorner(Corner &corner);
+    bool readIndex(std::size_t size, std::uint32_t &index);
+    bool cornerError(std::string_view corner);
+    void addPolygon();
+    void addTriangle(const Corner &a, const Corner &b, const Corner &c);
 
-    std::optional<std::uint32_t> readIndex(std::string_view corner)
-    {
-        const std::string_view word = corner.substr(0, corner.find('/'));
-        const bool isFromEnd = word.starts_with('-');
-        const std::optional<std::uint64_t> number = wholeFromText(word.substr(isFromEnd ? 1 : 0));
-        if (!number) {
-            error(DiagnosticCode::ObjBadIndex, corner, {std::string(corner)});
-            return std::nullopt;
-        }
-        const std::size_t count = m_result.mesh.vertices.size();
-        if (*number == 0) {
-            error(DiagnosticCode::ObjIndexZero, corner);
-            return std::nullopt;
-        }
-        if (*number > count || count > std::numeric_limits<std::uint32_t>::max()) {
-            const char *form = count == 1 ? " vertex" : " vertices";
-            error(DiagnosticCode::ObjIndexOutside, corner, {std::string(word), std::to_string(count) + form});
-            return std::nullopt;
-        }
-        return static_cast<std::uint32_t>(isFromEnd ? count - *number : *number - 1);
-    }
+    void readSmoothing();
+    void readLibraries();
+    void finish();
 
     std::string_view m_text;
+    ObjScanner m_scan;
     ObjResult m_result;
-    std::vector<std::string_view> m_words;
+    Mesh &m_mesh = m_result.mesh;
+    std::size_t m_statement = 0;
+
+    std::vector<Corner> m_corners;
+    std::vector<glm::dvec3> m_polygon;
+    PolygonCutter m_cutter;
+
+    ObjParts m_parts;
+    ObjSlips m_slips;
 };
+
+ObjResult ObjReader::read(const std::stop_token &stop)
+{
+    if (auto refusal = refusalOfBytes(m_text)) {
+        m_result.diagnostics.push_back(std::move(*refusal));
+    } else {
+        readStatements(stop);
+    }
+    finish();
+    return std::move(m_result);
+}
+
+bool ObjReader::error(DiagnosticCode code, SourceRange place, std::vector<std::string> arguments)
+{
+    m_result.diagnostics.push_back({code, place, std::move(arguments)});
+    return false;
+}
+
+void ObjReader::readStatements(const std::stop_token &stop)
+{
+    constexpr std::size_t betweenLooks = 1 << 16;
+    for (std::size_t i = 1; !m_scan.isAtEnd(); ++i) {
+        if (!readStatement() || (i % betweenLooks == 0 && stop.stop_requested())) {
+            return;
+        }
+    }
+}
+
+/// One line, with those in which it goes on. False after an error.
+bool ObjReader::readStatement()
+{
+    if (m_scan.toWord()) {
+        m_statement = m_scan.offset();
+        if (!readElement(m_scan.takeWord())) {
+            return false;
+        }
+    }
+    m_scan.skipLine();
+    return true;
+}
+
+bool ObjReader::readElement(std::string_view keyword)
+{
+    if (keyword == "v") {
+        return readVertex();
+    }
+    if (keyword == "f") {
+        return readFace();
+    }
+    if (keyword == "vn") {
+        return readNormal();
+    }
+    if (keyword == "vt") {
+        return readTextureCoordinates();
+    }
+    readOther(keyword);
+    return true;
+}
+
+/// Statements about the faces behind them, and those that are passed over.
+void ObjReader::readOther(std::string_view keyword)
+{
+    if (keyword == "usemtl") {
+        const std::string_view name = m_scan.takeRest();
+        m_parts.setMaterial(name, statement());
+    } else if (keyword == "g" || keyword == "o") {
+        m_parts.setGroup(m_scan.takeRest());
+    } else if (keyword == "s") {
+        readSmoothing();
+    } else if (keyword == "mtllib") {
+        readLibraries();
+    } else {
+        m_slips.count(ObjSlips::ofKeyword(keyword), statement());
+        m_scan.takeRest(); // with the lines in which it goes on
+    }
+}
+
+bool ObjReader::readNumber(double &value)
+{
+    const std::size_t begin = m_scan.offset();
+    const ParsedNumber number = m_scan.takeNumber();
+    value = number.value;
+    if (number.status == NumberStatus::Good) [[likely]] {
+        return true;
+    }
+    const SourceRange place{begin, m_scan.offset()};
+    if (number.status == NumberStatus::Underflow) {
+        m_slips.count(ObjSlips::Kind::SmallNumber, place);
+        return true;
+    }
+    const bool isMalformed = number.status == NumberStatus::Malformed;
+    return error(isMalformed ? DiagnosticCode::BadNumber : DiagnosticCode::NumberTooLarge, place,
+                 {std::string(m_text.substr(place.begin, place.length()))});
+}
+
+/// As many as there is place for.
+bool ObjReader::readNumbers(std::span<double> values, const char *rule)
+{
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!m_scan.toWord()) {
+            return error(DiagnosticCode::ObjTooFewCoordinates, statement(), {rule, std::to_string(i)});
+        }
+        if (!readNumber(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool ObjReader::readVertex()
+{
+    std::array<double, 3> v;
+    if (!readNumbers(v, "a vertex has three coordinates")) {
+        return false;
+    }
+    m_mesh.vertices.emplace_back(v[0], v[1], v[2]);
+    return !m_scan.toWord() || readColour();
+}
+
+/// Behind the coordinates: one number is a weight, three or more start with a colour.
+bool ObjReader::readColour()
+{
+    std::array<double, 3> parts{};
+    for (double &part : parts) {
+        if (!m_scan.toWord()) {
+            return true;
+        }
+        if (!readNumber(part)) {
+            return false;
+        }
+    }
+    const glm::dvec3 written(parts[0], parts[1], parts[2]);
+    const glm::dvec3 colour = glm::clamp(written, 0.0, 1.0);
+    if (colour != written) {
+        m_slips.count(ObjSlips::Kind::Colour, statement());
+    }
+    putBeside(m_mesh.colours, m_mesh.vertices.size() - 1, glm::vec3(colour), glm::vec3(1.0F));
+    return true;
+}
+
+bool ObjReader::readTextureCoordinates()
+{
+    double u = 0.0;
+    double v = 0.0;
+    if (!readNumbers({&u, 1}, "texture coordinates are one number or more") || (m_scan.toWord() && !readNumber(v))) {
+        return false;
+    }
+    m_mesh.textureCoordinates.emplace_back(u, v);
+    return true;
+}
+
+bool ObjReader::readNormal()
+{
+    std::array<double, 3> n;
+    if (!readNumbers(n, "a normal has three coordinates")) {
+        return false;
+    }
+    m_mesh.normals.emplace_back(n[0], n[1], n[2]);
+    return true;
+}
+
+bool ObjReader::readFace()
+{
+    m_corners.clear();
+    while (m_scan.toWord()) {
+        if (!readCorner(m_corners.emplace_back())) {
+            return false;
+        }
+    }
+    if (m_corners.size() < 3) {
+        return error(DiagnosticCode::ObjTooFewCorners, statement(), {std::to_string(m_corners.size())});
+    }
+    m_parts.beginFaces(m_mesh);
+    if (m_corners.size() == 3) {
+        addTriangle(m_corners[0], m_corners[1], m_corners[2]);
+    } else {
+        addPolygon();
+    }
+    return true;
+}
+
+bool ObjReader::readCorner(Corner &corner)
+{
+    const std::size_t begin = m_scan.offset();
+    bool isGood = readIndex(m_mesh.vertices.size(), corner.vertex);
+    // an index between slashes may be left out
+    if (isGood && m_scan.take('/') && !m_scan.isAt('/') && !m_scan.isAtWordEnd()) {
+        isGood = readIndex(m_mesh.textureCoordinates.size(), corner.textureCoordinate);
+    }
+    if (isGood && m_scan.take('/') && !m_scan.isAtWordEnd()) {
+        isGood = readIndex(m_mesh.normals.size(), corner.normal);
+    }
+    if (isGood && m_scan.isAtWordEnd()) [[likely]] {
+        return true;
+    }
+    m_scan.goTo(begin);
+    return cornerError(m_scan.takeWord());
+}
+
+/// Of a list of that size so far.
+bool ObjReader::readIndex(std::size_t size, std::uint32_t &index)
+{
+    const bool isFromEnd = m_scan.take('-');
+    std::uint64_t number = 0;
+    if (!m_scan.takeWhole(number) || number == 0 || number > size) {
+        return false;
+    }
+    index = static_cast<std::uint32_t>(isFromEnd ? size - number : number - 1);
+    return true;
+}
+
+/// Tells what is wrong with a corner that readCorner() did not take.
+bool ObjReader::cornerError(std::string_view corner)
+{
+    const SourceRange place{m_scan.offset() - corner.size(), m_scan.offset()};
+    const std::size_t sizes[] = {m_mesh.vertices.size(), m_mesh.textureCoordinates.size(), m_mesh.normals.size()};
+    std::string_view rest = corner;
+    for (std::size_t kind = 0; kind < indexed.size(); ++kind) {
+        const std::string_view word = rest.substr(0, rest.find('/'));
+        rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+        if (word.empty() && kind > 0) {
+            continue;
+        }
+        const auto number = wholeFromText(word.substr(word.starts_with('-') ? 1 : 0));
+        if (!number) {
+            break;
+        }
+        if (*number == 0) {
+            return error(DiagnosticCode::ObjIndexZero, place, {indexed[kind].many, indexed[kind].one});
+        }
+        if (*number > sizes[kind]) {
+            const char *form = sizes[kind] == 1 ? indexed[kind].one : indexed[kind].many;
+            return error(DiagnosticCode::ObjIndexOutside, place,
+                         {indexed[kind].one, std::string(word), std::to_string(sizes[kind]) + ' ' + form});
+        }
+    }
+    return error(DiagnosticCode::ObjBadIndex, place, {std::string(corner)});
+}
+
+void ObjReader::addPolygon()
+{
+    m_polygon.clear();
+    for (const Corner &corner : m_corners) {
+        m_polygon.push_back(m_mesh.vertices[corner.vertex]);
+    }
+    for (const auto &[a, b, c] : m_cutter.cut(m_polygon)) {
+        addTriangle(m_corners[a], m_corners[b], m_corners[c]);
+    }
+}
+
+void ObjReader::addTriangle(const Corner &a, const Corner &b, const Corner &c)
+{
+    constexpr Face empty{none, none, none};
+    const std::size_t index = m_mesh.faces.size();
+    m_mesh.faces.push_back({a.vertex, b.vertex, c.vertex});
+    const Face textureCoordinates{a.textureCoordinate, b.textureCoordinate, c.textureCoordinate};
+    if (textureCoordinates != empty) {
+        putBeside(m_mesh.faceTextureCoordinates, index, textureCoordinates, empty);
+    }
+    const Face normals{a.normal, b.normal, c.normal};
+    if (normals != empty) {
+        putBeside(m_mesh.faceNormals, index, normals, empty);
+    }
+}
+
+void ObjReader::readSmoothing()
+{
+    const std::string_view word = m_scan.takeRest();
+    const std::optional<std::uint64_t> number = wholeFromText(word);
+    if (!number && word != "off" && word != "on") {
+        m_slips.count(ObjSlips::Kind::Unknown, statement());
+    }
+    const std::uint64_t group = number.value_or(word == "on" ? 1 : 0);
+    m_parts.setSmoothing(static_cast<std::uint32_t>(std::min<std::uint64_t>(group, none)));
+}
+
+/// Names of files are parted by blanks and may hold some; only the ending tells which.
+void ObjReader::readLibraries()
+{
+    const std::string_view rest = m_scan.takeRest();
+    std::size_t begin = 0;
+    while (begin < rest.size() && rest[begin] != '#') {
+        std::size_t end = begin;
+        do {
+            end = std::min(rest.find_first_of(" \t", end + 1), rest.size());
+        } while (end < rest.size() && !hasEnding(rest.substr(begin, end - begin), ".mtl"));
+        m_result.libraries.push_back({std::string(rest.substr(begin, end - begin)), statement()});
+        begin = std::min(rest.find_first_not_of(" \t", end), rest.size());
+    }
+}
+
+/// Fills up the lists beside others, drops what nothing names, and tells what was counted.
+void ObjReader::finish()
+{
+    constexpr Face empty{none, none, none};
+    const auto fill = [](auto &list, std::size_t size, const auto &filling) {
+        if (!list.empty()) {
+            list.resize(size, filling);
+        }
+    };
+    fill(m_mesh.colours, m_mesh.vertices.size(), glm::vec3(1.0F));
+    fill(m_mesh.faceTextureCoordinates, m_mesh.faces.size(), empty);
+    fill(m_mesh.faceNormals, m_mesh.faces.size(), empty);
+    if (m_mesh.faceTextureCoordinates.empty()) {
+        m_mesh.textureCoordinates = {};
+    }
+    if (m_mesh.faceNormals.empty()) {
+        m_mesh.normals = {};
+    }
+    m_parts.nameParts(m_mesh);
+    m_result.materialPlaces = m_parts.materialPlaces();
+    m_slips.report(m_result.diagnostics);
+    sortByPlace(m_result.diagnostics);
+}
 
 }
 
-ObjResult readObj(std::string_view text)
+ObjResult readObj(std::string_view text, const std::stop_token &stop)
 {
-    return ObjReader(text).read();
+    return ObjReader(text).read(stop);
 }
 
 }
