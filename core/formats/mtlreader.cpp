@@ -114,7 +114,8 @@ std::optional<float> MtlReader::readNumber(float most)
     if (status == NumberStatus::Malformed || status == NumberStatus::Overflow) {
         const SourceRange place{begin, m_scan.offset()};
         const bool isMalformed = status == NumberStatus::Malformed;
-        m_result.diagnostics.push_back({isMalformed ? DiagnosticCode::BadNumber : DiagnosticCode::NumberTooLarge, place,
+        m_result.diagnostics.push_back({isMalformed ? DiagnosticCode::BadNumber : DiagnosticCode::NumberTooLarge,
+                                        place,
                                         {std::string(m_text.substr(begin, place.length()))}});
         return std::nullopt;
     }
@@ -145,7 +146,8 @@ void MtlReader::readTexture(MtlResult::Entry &entry)
     std::string name(m_scan.takeRest());
     const SourceRange place{begin, m_scan.offset()};
     if (name.empty()) {
-        m_result.diagnostics.push_back({DiagnosticCode::Expected, place, {"the end of the line", "the name of a file"}});
+        m_result.diagnostics.push_back(
+            {DiagnosticCode::Expected, place, {"the end of the line", "the name of a file"}});
         return;
     }
     std::ranges::replace(name, '\\', '/');
@@ -181,9 +183,8 @@ bool MtlReader::isAtNumber()
 
 const MtlResult::Entry *MtlResult::find(std::string_view name) const
 {
-    const auto found = std::ranges::find(materials, name, [](const Entry &entry) -> std::string_view {
-        return entry.material.name;
-    });
+    const auto found =
+        std::ranges::find(materials, name, [](const Entry &entry) -> std::string_view { return entry.material.name; });
     return found == materials.end() ? nullptr : &*found;
 }
 

@@ -113,8 +113,7 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t powers[] = {1,       10,        100,        1'000,      10'000,
-                                               100'000, 1'000'000, 10'000'000, 100'000'000};
+    static constexpr std::uint64_t powers[] = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
 
     [[nodiscard]] static bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
     [[nodiscard]] static bool isLineEnd(char c) { return c == '\n' || c == '\r'; }

@@ -16,14 +16,16 @@ struct Keyword {
     Kind kind;
 };
 constexpr auto keywords = std::to_array<Keyword>({
-    {"p", Kind::Points},          {"l", Kind::Lines},         {"vp", Kind::FreeForm},         {"cstype", Kind::FreeForm},
-    {"deg", Kind::FreeForm},      {"bmat", Kind::FreeForm},   {"step", Kind::FreeForm},       {"curv", Kind::FreeForm},
-    {"curv2", Kind::FreeForm},    {"surf", Kind::FreeForm},   {"parm", Kind::FreeForm},       {"trim", Kind::FreeForm},
-    {"hole", Kind::FreeForm},     {"scrv", Kind::FreeForm},   {"sp", Kind::FreeForm},         {"end", Kind::FreeForm},
-    {"con", Kind::FreeForm},      {"mg", Kind::FreeForm},     {"bevel", Kind::Settings},      {"c_interp", Kind::Settings},
-    {"d_interp", Kind::Settings}, {"lod", Kind::Settings},    {"maplib", Kind::Settings},     {"usemap", Kind::Settings},
-    {"ctech", Kind::Settings},    {"stech", Kind::Settings},  {"shadow_obj", Kind::Settings}, {"trace_obj", Kind::Settings},
-    {"call", Kind::Commands},     {"csh", Kind::Commands},
+    {"p", Kind::Points},           {"l", Kind::Lines},           {"vp", Kind::FreeForm},
+    {"cstype", Kind::FreeForm},    {"deg", Kind::FreeForm},      {"bmat", Kind::FreeForm},
+    {"step", Kind::FreeForm},      {"curv", Kind::FreeForm},     {"curv2", Kind::FreeForm},
+    {"surf", Kind::FreeForm},      {"parm", Kind::FreeForm},     {"trim", Kind::FreeForm},
+    {"hole", Kind::FreeForm},      {"scrv", Kind::FreeForm},     {"sp", Kind::FreeForm},
+    {"end", Kind::FreeForm},       {"con", Kind::FreeForm},      {"mg", Kind::FreeForm},
+    {"bevel", Kind::Settings},     {"c_interp", Kind::Settings}, {"d_interp", Kind::Settings},
+    {"lod", Kind::Settings},       {"maplib", Kind::Settings},   {"usemap", Kind::Settings},
+    {"ctech", Kind::Settings},     {"stech", Kind::Settings},    {"shadow_obj", Kind::Settings},
+    {"trace_obj", Kind::Settings}, {"call", Kind::Commands},     {"csh", Kind::Commands},
 });
 
 /// Of the kinds that are passed over.

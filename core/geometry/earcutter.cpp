@@ -116,7 +116,10 @@ public:
     }
 
 private:
-    [[nodiscard]] CornerTriangle triangleAt(Number corner) const { return {m_previous[corner], corner, m_next[corner]}; }
+    [[nodiscard]] CornerTriangle triangleAt(Number corner) const
+    {
+        return {m_previous[corner], corner, m_next[corner]};
+    }
     [[nodiscard]] double turn(Number corner) const
     {
         return area(m_corners[m_previous[corner]], m_corners[corner], m_corners[m_next[corner]]);

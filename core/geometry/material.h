@@ -20,7 +20,9 @@ struct Material {
     /// 0 is not seen at all.
     float opacity = 1.0F;
     /// Image that is multiplied with diffuse, a path as FileAccess takes it; empty for none.
-    std::filesystem::path diffuseTexture;
+    std::filesystem::path diffuseTexture{};
+
+    bool operator==(const Material &) const = default;
 };
 
 }

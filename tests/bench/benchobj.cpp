@@ -83,8 +83,10 @@ struct Reader {
     const char *name;
     std::size_t (*read)(const std::string &text);
 };
-constexpr Reader readers[] = {
-    {"romanesco", readOurs}, {"tinyobjloader", readTinyObj}, {"assimp", readAssimp}, {"memcpy", copyOnly}};
+constexpr Reader readers[] = {{"romanesco", readOurs},
+                              {"tinyobjloader", readTinyObj},
+                              {"assimp", readAssimp},
+                              {"memcpy", copyOnly}};
 
 void read(benchmark::State &state, const Reader &reader, const std::string &text)
 {
@@ -110,9 +112,9 @@ void add(const std::string &name, std::string text)
 {
     const auto kept = std::make_shared<const std::string>(std::move(text));
     for (const Reader &reader : readers) {
-        benchmark::RegisterBenchmark(name + '/' + reader.name,
-                                     [kept, &reader](benchmark::State &state) { read(state, reader, *kept); })
-            ->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(name + '/' + reader.name, [kept, &reader](benchmark::State &state) {
+            read(state, reader, *kept);
+        })->Unit(benchmark::kMillisecond);
     }
 }
 
