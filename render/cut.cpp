@@ -142,10 +142,11 @@ void Cut::visit(const Node &node)
     if (expansion.hasLeaf) {
         place(node.map, node.state, true);
     }
+    const std::vector<Sphere> &bounds = m_table.childBounds(node.state);
     std::size_t child = 0;
     for (const ChildRange &range : expansion.ranges) {
         for (std::uint32_t map = range.firstMap; map < range.endMap; ++map, ++child) {
-            addChild(node, range, map, expansion.bounds[child]);
+            addChild(node, range, map, bounds[child]);
         }
     }
 }
@@ -219,14 +220,15 @@ bool Cut::isSmall(const Sphere &sphere) const
 
 void Cut::forgetStates()
 {
-    std::vector<std::vector<Position>> positions;
+    std::vector<StateId> states;
+    states.reserve(m_open.size());
     for (const Node &node : m_open) {
-        positions.push_back(m_table.state(node.state).positions);
+        states.push_back(node.state);
     }
     m_memory = std::max(m_memory, m_table.memoryUse());
-    m_table.forget();
+    m_table.forgetAllBut(states);
     for (std::size_t i = 0; i < m_open.size(); ++i) {
-        m_open[i].state = m_table.find(std::move(positions[i]));
+        m_open[i].state = states[i];
     }
 }
 

@@ -52,7 +52,7 @@ std::span<const Pick> CopyWalk::address() const
 CopyWalk::Place CopyWalk::takeChild()
 {
     Fork &fork = m_forks.back();
-    const std::vector<ChildRange> &ranges = m_table.expansion(fork.place.state).ranges;
+    const auto &ranges = m_table.expansion(fork.place.state).ranges;
     const ChildRange &range = ranges[fork.next.range];
     const Place child = below(fork.place, fork.next);
     if (m_addresses == Addresses::Keep) {
@@ -70,7 +70,7 @@ CopyWalk::Place CopyWalk::takeChild()
 
 void CopyWalk::keepPick(const Fork &fork, StateId next)
 {
-    const std::vector<Position> &positions = m_table.state(next).positions;
+    const Positions &positions = m_table.state(next).positions;
     m_picks.resize(fork.place.length);
     m_picks.push_back({positions.front() - 1, fork.next.map});
     if (m_table.graph().setsShareMaps()) {
@@ -125,13 +125,13 @@ CopyWalk::Place CopyWalk::below(const Place &place, const Child &child)
 
 CopyWalk::Child CopyWalk::lastChild(StateId state)
 {
-    const std::vector<ChildRange> &ranges = m_table.expansion(state).ranges;
+    const auto &ranges = m_table.expansion(state).ranges;
     return {static_cast<std::uint32_t>(ranges.size() - 1), ranges.back().endMap - 1};
 }
 
 CopyWalk::Child CopyWalk::childBefore(StateId state, const Child &child)
 {
-    const std::vector<ChildRange> &ranges = m_table.expansion(state).ranges;
+    const auto &ranges = m_table.expansion(state).ranges;
     const bool isFirst = child.map == ranges[child.range].firstMap;
     return isFirst ? Child{child.range - 1, ranges[child.range - 1].endMap - 1} : Child{child.range, child.map - 1};
 }
@@ -189,16 +189,15 @@ void CopyWalk::limitMemory(Place &current)
     if (m_table.memoryUse() <= m_mostTableBytes) {
         return;
     }
-    std::vector<std::vector<Position>> states;
+    std::vector<StateId> states{current.state};
     for (const Fork &fork : m_forks) {
-        states.push_back(m_table.state(fork.place.state).positions);
+        states.push_back(fork.place.state);
     }
-    std::vector<Position> state = m_table.state(current.state).positions;
-    m_table.forget();
+    m_table.forgetAllBut(states);
+    current.state = states.front();
     for (std::size_t i = 0; i < m_forks.size(); ++i) {
-        m_forks[i].place.state = m_table.find(std::move(states[i]));
+        m_forks[i].place.state = states[i + 1];
     }
-    current.state = m_table.find(std::move(state));
     m_mostTableBytes = std::max(tableBytes, 2 * m_table.memoryUse());
 }
 
@@ -207,7 +206,7 @@ std::size_t CopyWalk::memoryUse() const
     std::size_t bytes = sizeof(*this) + m_table.memoryUse() + m_forks.capacity() * sizeof(Fork)
         + m_picks.capacity() * sizeof(Pick) + m_folded.capacity() * sizeof(Folded);
     for (const Folded &folded : m_folded) {
-        bytes += folded.firstState.capacity() * sizeof(Position) + folded.turns.capacity() * sizeof(Turn);
+        bytes += folded.turns.capacity() * sizeof(Turn);
     }
     return bytes;
 }

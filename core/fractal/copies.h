@@ -21,7 +21,7 @@ namespace romanesco {
 ///     }
 ///
 /// Takes some megabytes at most, however many levels and copies there are, unless addresses are kept. Cost: a product of
-/// maps for each copy, and about a microsecond for each state that is met anew; the first copy of a fractal of n levels
+/// maps for each copy, and a fraction of a microsecond for each state that is met anew; the first copy of a fractal of n levels
 /// without `#` is n products away. One thread uses it; the graph must outlive it.
 class CopyWalk
 {
@@ -72,7 +72,7 @@ private:
     };
     /// A run of forks far above the copy, from which they can be made again.
     struct Folded {
-        std::vector<Position> firstState;
+        Positions firstState;
         AffineMap firstMap;
         Position firstLength;
         std::vector<Turn> turns;
@@ -98,7 +98,7 @@ private:
     std::vector<Folded> m_folded;
     std::vector<Pick> m_picks;
     /// Where sets share maps: beside the picks, the positions that each may lead to.
-    std::vector<std::vector<Position>> m_reached;
+    std::vector<Positions> m_reached;
     std::size_t m_mostTableBytes;
 };
 

@@ -69,11 +69,12 @@ double greatestReach(StateTable &table, const Mesh &mesh, const glm::dvec3 &dire
             open.push({std::min(parent.reach, reachOfSphere(bound, direction)), parent.state, Kind::Leaf, parent.map,
                        parent.norm});
         }
-        looked += 1 + expansion.bounds.size();
+        const std::vector<Sphere> &bounds = table.childBounds(parent.state);
+        looked += 1 + bounds.size();
         std::size_t child = 0;
         for (const ChildRange &range : expansion.ranges) {
             for (std::uint32_t i = range.firstMap; i < range.endMap; ++i, ++child) {
-                const Sphere bound = transformed(parent.map, parent.norm, expansion.bounds[child]);
+                const Sphere bound = transformed(parent.map, parent.norm, bounds[child]);
                 open.push({std::min(parent.reach, reachOfSphere(bound, direction)), range.next, Kind::State,
                            parent.map * table.graph().set(range.set).maps[i],
                            parent.norm * table.graph().facts(range.set)[i].norm});

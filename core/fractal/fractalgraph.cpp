@@ -148,16 +148,15 @@ FractalGraph::Reach FractalGraph::reach(Position position) const
 {
     Reach reach;
     reach.reachesEnd = position >= m_passableFrom;
-    std::vector<bool> seenSlots(m_levels.slotCount());
-    std::vector<SetId> seenSets;
+    std::vector<bool> seenSlots;
+    boost::container::small_vector<SetId, 8> seenSets;
     while (position < m_levels.levelCount()) {
         const auto [slot, repeat, end] = m_levels.locate(position);
         // A slot seen before: a whole pass of the repeat round it has gone by, and the other passes are like it.
-        if (seenSlots[slot]) {
+        if (!seenSlots.empty() && seenSlots[slot]) {
             position = end;
             continue;
         }
-        seenSlots[slot] = true;
         const SetId set = m_canonical[m_levels.set(slot)];
         if (std::ranges::find(seenSets, set) == seenSets.end()) {
             seenSets.push_back(set);
@@ -167,6 +166,8 @@ FractalGraph::Reach FractalGraph::reach(Position position) const
         if (!setAt(slot).holdsIdentity || isComplete) {
             break;
         }
+        seenSlots.resize(m_levels.slotCount());
+        seenSlots[slot] = true;
         ++position;
     }
     reach.last = reach.reachesEnd ? m_levels.levelCount() : position;

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include <boost/container/small_vector.hpp>
+
 #include "core/formats/fractaldescription.h"
 #include "core/geometry/sphere.h"
 #include "mapfacts.h"
@@ -59,7 +61,7 @@ public:
             Position position;
             LevelSequence::Slot slot;
         };
-        std::vector<Level> levels;
+        boost::container::small_vector<Level, 2> levels;
         /// All levels to the end may be passed over: no pick is needed.
         bool reachesEnd = false;
         /// The last position that is reached by passing levels over; levelCount() where reachesEnd.

@@ -21,6 +21,29 @@ void StateTable::forget()
     find({0});
 }
 
+void StateTable::forgetAllBut(std::span<StateId> ids)
+{
+    std::vector<Positions> kept;
+    kept.reserve(ids.size());
+    for (const StateId id : ids) {
+        kept.push_back(state(id).positions);
+    }
+    forget();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+        ids[i] = find(std::move(kept[i]));
+    }
+}
+
+std::size_t StateTable::Hash::operator()(const Positions &positions) const
+{
+    std::uint64_t hash = 0;
+    for (const Position position : positions) {
+        hash = (hash ^ position) * 0x9E3779B97F4A7C15u;
+        hash ^= hash >> 32;
+    }
+    return hash;
+}
+
 const Expansion &StateTable::expansion(StateId id)
 {
     Entry &entry = m_states[id];
@@ -30,27 +53,44 @@ const Expansion &StateTable::expansion(StateId id)
     return entry.expansion;
 }
 
-StateId StateTable::find(std::vector<Position> positions)
+const std::vector<Sphere> &StateTable::childBounds(StateId id)
+{
+    std::vector<Sphere> &bounds = m_states[id].childBounds;
+    if (bounds.empty()) {
+        for (const ChildRange &range : expansion(id).ranges) {
+            const Sphere bound = state(range.next).bound;
+            for (std::uint32_t map = range.firstMap; map < range.endMap; ++map) {
+                bounds.push_back(
+                    transformed(m_graph.set(range.set).maps[map], m_graph.facts(range.set)[map].norm, bound));
+            }
+        }
+        m_bytes += bounds.size() * sizeof(Sphere);
+    }
+    return bounds;
+}
+
+StateId StateTable::find(Positions positions)
 {
     const auto [known, isNew] = m_ids.try_emplace(std::move(positions), static_cast<StateId>(m_states.size()));
     if (isNew) {
-        std::vector<Sphere> bounds;
-        for (const Position position : known->first) {
+        const Positions &places = known->first;
+        boost::container::small_vector<Sphere, 1> bounds;
+        for (const Position position : places) {
             bounds.push_back(m_graph.bound(position));
         }
-        const Sphere bound = bounds.size() == 1 ? bounds.front() : enclosingSphere(bounds);
-        m_states.push_back({{known->first, bound}, {}, false});
-        m_bytes += sizeof(Entry) + 2 * known->first.size() * sizeof(Position) + 4 * sizeof(void *);
+        m_states.emplace_back().state = {places, bounds.size() == 1 ? bounds.front() : enclosingSphere(bounds)};
+        m_bytes += sizeof(Entry) + sizeof(*known) + 3 * sizeof(void *);
+        m_bytes += places.size() > 1 ? 2 * places.size() * sizeof(Position) : 0;
     }
     return known->second;
 }
 
 /// Keeps of several positions those that are not reached from an earlier one by passing levels over: what can follow
 /// them can follow the earlier one too.
-void StateTable::normalise(std::vector<Position> &positions) const
+void StateTable::normalise(Positions &positions) const
 {
     std::ranges::sort(positions);
-    std::vector<Position> kept;
+    Positions kept;
     Position reached = 0;
     for (const Position position : positions) {
         if (!kept.empty() && position <= reached) {
@@ -65,7 +105,7 @@ void StateTable::normalise(std::vector<Position> &positions) const
 void StateTable::expand(Entry &entry)
 {
     Expansion &expansion = entry.expansion;
-    std::vector<FractalGraph::Reach> reaches;
+    boost::container::small_vector<FractalGraph::Reach, 1> reaches;
     for (const Position position : entry.state.positions) {
         reaches.push_back(m_graph.reach(position));
         expansion.hasLeaf = expansion.hasLeaf || reaches.back().reachesEnd;
@@ -75,15 +115,7 @@ void StateTable::expand(Entry &entry)
     } else {
         expandDistinct(reaches.front(), expansion);
     }
-
-    for (const ChildRange &range : expansion.ranges) {
-        const Sphere bound = state(range.next).bound;
-        for (std::uint32_t map = range.firstMap; map < range.endMap; ++map) {
-            expansion.bounds.push_back(
-                transformed(m_graph.set(range.set).maps[map], m_graph.facts(range.set)[map].norm, bound));
-        }
-    }
-    m_bytes += expansion.ranges.size() * sizeof(ChildRange) + expansion.bounds.size() * sizeof(Sphere);
+    m_bytes += expansion.ranges.size() > 2 ? expansion.ranges.size() * sizeof(ChildRange) : 0;
     entry.isExpanded = true;
 }
 
@@ -105,7 +137,7 @@ void StateTable::expandShared(std::span<const FractalGraph::Reach> reaches, Expa
     struct Child {
         SetId set;
         std::uint32_t map;
-        std::vector<Position> next;
+        Positions next;
     };
     std::vector<Child> children;
     std::unordered_map<std::uint32_t, std::size_t> childOfClass;

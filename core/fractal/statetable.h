@@ -4,21 +4,24 @@
 
 #include <cstdint>
 #include <deque>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "fractalgraph.h"
 
 namespace romanesco {
 
 using StateId = std::uint32_t;
+using Positions = boost::container::small_vector<Position, 1>;
 
 /// A state of the graph: what may still follow the picks made so far. Nearly always a single position; several where a
 /// map is shared by a set that may be passed over and one that may not, so that the same picks fit in more than one way
 /// (the usual subset construction). Positions ascend, and none can be reached from another by passing levels over.
 struct State {
-    std::vector<Position> positions;
+    Positions positions;
     /// A sphere round everything below, in the state's own frame.
     Sphere bound;
 };
@@ -33,9 +36,7 @@ struct ChildRange {
 
 /// The children of a state, each canonical continuation once, in a fixed order.
 struct Expansion {
-    std::vector<ChildRange> ranges;
-    /// A sphere round each child in the state's frame, by range and map.
-    std::vector<Sphere> bounds;
+    boost::container::small_vector<ChildRange, 2> ranges;
     /// The word may end here: the base mesh stands in this frame.
     bool hasLeaf = false;
 };
@@ -51,11 +52,14 @@ public:
     [[nodiscard]] StateId root() const { return 0; }
     [[nodiscard]] const State &state(StateId id) const { return m_states[id].state; }
 
-    /// Expanded on the first call. References stay valid until forget().
+    /// Expanded on the first call. References stay valid until states are forgotten.
     const Expansion &expansion(StateId id);
 
+    /// A sphere round each child in the state's frame, by range and map; made on the first call.
+    const std::vector<Sphere> &childBounds(StateId id);
+
     /// The state with these positions, which must be as State describes; made if it is new.
-    StateId find(std::vector<Position> positions);
+    StateId find(Positions positions);
 
     [[nodiscard]] std::size_t stateCount() const { return m_states.size(); }
     [[nodiscard]] std::size_t memoryUse() const { return m_bytes; }
@@ -63,21 +67,28 @@ public:
     /// Back to the root alone; every StateId but root() is void.
     void forget();
 
+    /// Back to the root and these, which get their new numbers and are no longer expanded.
+    void forgetAllBut(std::span<StateId> ids);
+
 private:
     struct Entry {
         State state;
-        Expansion expansion;
         bool isExpanded = false;
+        Expansion expansion;
+        std::vector<Sphere> childBounds;
+    };
+    struct Hash {
+        std::size_t operator()(const Positions &positions) const;
     };
 
-    void normalise(std::vector<Position> &positions) const;
+    void normalise(Positions &positions) const;
     void expand(Entry &entry);
     void expandDistinct(const FractalGraph::Reach &reach, Expansion &expansion);
     void expandShared(std::span<const FractalGraph::Reach> reaches, Expansion &expansion);
 
     const FractalGraph &m_graph;
     std::deque<Entry> m_states;
-    std::map<std::vector<Position>, StateId> m_ids;
+    std::unordered_map<Positions, StateId, Hash> m_ids;
     std::size_t m_bytes = 0;
 };
 

@@ -18,6 +18,7 @@ private Q_SLOTS:
     void costDoesNotGrowWithTheDepth();
     void statesAreMadeOnce();
     void forgettingLeavesTheRoot();
+    void someStatesCanBeKept();
     void boundsStandBesideTheChildren();
 };
 
@@ -111,11 +112,30 @@ void TestStateTable::forgettingLeavesTheRoot()
     QCOMPARE(table.expansion(table.root()).ranges.size(), 1u);
 }
 
+void TestStateTable::someStatesCanBeKept()
+{
+    const Sample sierpinski = sample(QStringLiteral("sierpinski"), 6);
+    StateTable table(sierpinski.graph);
+    std::vector<StateId> path{table.root()};
+    for (int i = 0; i < 6; ++i) {
+        path.push_back(table.expansion(path.back()).ranges.front().next);
+    }
+    std::vector<StateId> kept{path[4], path[2], path[4], path[0]};
+    table.forgetAllBut(kept);
+    QCOMPARE(table.stateCount(), 3u);
+    QCOMPARE(kept[0], kept[2]);
+    QCOMPARE(kept[3], table.root());
+    QCOMPARE(table.state(kept[0]).positions, Positions{4});
+    QCOMPARE(table.state(kept[1]).positions, Positions{2});
+    QCOMPARE(table.state(table.expansion(kept[1]).ranges.front().next).positions, Positions{3});
+}
+
 void TestStateTable::boundsStandBesideTheChildren()
 {
     const Sample tree = sample(QStringLiteral("tree"), 7);
     StateTable table(tree.graph);
     const Expansion &expansion = table.expansion(table.root());
+    const std::vector<Sphere> &bounds = table.childBounds(table.root());
     std::size_t child = 0;
     for (const ChildRange &range : expansion.ranges) {
         const Sphere &below = table.state(range.next).bound;
@@ -123,14 +143,13 @@ void TestStateTable::boundsStandBesideTheChildren()
             const naive::Point centre = naive::applied(naive::fromCore(tree.graph.set(range.set).maps[i]),
                                                        {below.centre.x, below.centre.y, below.centre.z});
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                QVERIFY(
-                    std::abs(static_cast<double>(centre[axis]) - expansion.bounds[child].centre[static_cast<int>(axis)])
-                    < 1e-12);
+                QVERIFY(std::abs(static_cast<double>(centre[axis]) - bounds[child].centre[static_cast<int>(axis)])
+                        < 1e-12);
             }
-            QVERIFY(expansion.bounds[child].radius >= below.radius * tree.graph.facts(range.set)[i].norm * (1 - 1e-12));
+            QVERIFY(bounds[child].radius >= below.radius * tree.graph.facts(range.set)[i].norm * (1 - 1e-12));
         }
     }
-    QCOMPARE(child, expansion.bounds.size());
+    QCOMPARE(child, bounds.size());
 }
 
 }
