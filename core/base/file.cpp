@@ -3,11 +3,12 @@
 #include "file.h"
 
 #include <cerrno>
-#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "systemerror.h"
 
 namespace romanesco {
 
@@ -39,16 +40,7 @@ private:
 
 std::unexpected<std::string> failure(int number)
 {
-    switch (number) {
-    case ENOENT:
-        return std::unexpected(std::string("no such file"));
-    case EACCES:
-        return std::unexpected(std::string("permission denied"));
-    case ELOOP:
-        return std::unexpected(std::string("too many symbolic links"));
-    default:
-        return std::unexpected(std::generic_category().message(number));
-    }
+    return std::unexpected(systemReason(number));
 }
 
 }
