@@ -14,6 +14,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "core/export/forecast.h"
 #include "core/scene/summary.h"
 #include "input.h"
 
@@ -72,6 +73,12 @@ std::size_t graphBytes(const Scene &scene)
     return std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
 }
 
+/// What an OBJ file of the scene would take, about; nothing where its copies cannot be counted.
+std::optional<std::string> flattenedBytes(const Scene &scene)
+{
+    return forecast(scene, {}).transform([](const ExportForecast &known) { return known.bytes.toString(); });
+}
+
 void printText(const Input &input, const Summary &summary)
 {
     const Scene &scene = *input.scene;
@@ -101,7 +108,9 @@ void printText(const Input &input, const Summary &summary)
     const Sphere bound = boundingSphere(scene);
     std::println("bounds       {} to {}", place(scene.extent.least), place(scene.extent.greatest));
     std::println("             within {:.6g} of {}", std::max(bound.radius, 0.0), place(bound.centre));
-    std::println("storage      {} bytes of text, {} bytes as a graph", input.sourceBytes, graphBytes(scene));
+    std::println("storage      {} bytes of source, {} bytes as a graph", input.sourceBytes, graphBytes(scene));
+    std::println("             {} bytes flattened to OBJ",
+                 flattenedBytes(scene).value_or("too many sets to count the"));
 }
 
 QJsonArray json(const glm::dvec3 &v)
@@ -148,8 +157,11 @@ QJsonObject json(const Input &input, const Summary &summary)
                                                    {QStringLiteral("radius"), std::max(bound.radius, 0.0)},
                                                    {QStringLiteral("min"), json(scene.extent.least)},
                                                    {QStringLiteral("max"), json(scene.extent.greatest)}};
+    const std::optional<std::string> flattened = flattenedBytes(scene);
     object[QStringLiteral("storage")] =
-        QJsonObject{{QStringLiteral("source_bytes"), QString::number(input.sourceBytes)}};
+        QJsonObject{{QStringLiteral("source_bytes"), QString::number(input.sourceBytes)},
+                    {QStringLiteral("flattened_obj_bytes"),
+                     flattened ? QJsonValue(QString::fromStdString(*flattened)) : QJsonValue()}};
     return object;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <map>
+#include <mutex>
 #include <print>
 #include <utility>
 
@@ -44,14 +46,14 @@ std::expected<QStringList, int> parsed(QCommandLineParser &parser, const char *c
     return parser.positionalArguments();
 }
 
-/// What --depth asks for: every .fdo text with another depth in it, so that everything after sees ordinary texts.
-class DepthChange final : public FileAccess
+/// The disk, with what --depth asks for: every .fdo text has another depth in it, so that everything after sees ordinary
+/// texts. Keeps a list of what is read.
+class InputFiles final : public FileAccess
 {
 public:
     /// No digits for no change.
-    DepthChange(const FileAccess &files, std::string digits)
-        : m_files(files)
-        , m_digits(std::move(digits))
+    explicit InputFiles(std::string digits)
+        : m_digits(std::move(digits))
     {
     }
 
@@ -68,17 +70,25 @@ public:
 
     [[nodiscard]] std::expected<std::string, std::string> read(const std::filesystem::path &path) const override
     {
-        auto text = m_files.read(path);
+        auto text = DiskFiles().read(path);
+        if (text) {
+            const std::lock_guard lock(m_mutex);
+            m_read.insert_or_assign(path, text->size());
+        }
         return text && fileKind(path) == FileKind::Fdo ? changed(std::move(*text)) : text;
     }
+
+    /// Paths, and the bytes of each.
+    [[nodiscard]] const std::map<std::filesystem::path, std::uint64_t> &read() const { return m_read; }
 
     /// Whether a change is wanted and there was nothing to change.
     [[nodiscard]] bool isInVain() const { return !m_digits.empty() && !m_hasChanged; }
 
 private:
-    const FileAccess &m_files;
     std::string m_digits;
     mutable std::atomic<bool> m_hasChanged = false;
+    mutable std::mutex m_mutex;
+    mutable std::map<std::filesystem::path, std::uint64_t> m_read;
 };
 
 /// Empty where the option is not given; the error is an exit status after a complaint.
@@ -178,9 +188,8 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     if (!depth) {
         return std::unexpected(depth.error());
     }
-    const std::size_t sourceBytes = text->size();
-    const DiskFiles disk;
-    const DepthChange files(disk, *depth);
+    Input input{nullptr, {path}, text->size(), kind == FileKind::Sdo};
+    const InputFiles files(*depth);
     if (kind == FileKind::Fdo) {
         text = files.changed(std::move(*text));
     }
@@ -199,7 +208,12 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     if (!result.scene) {
         return std::unexpected(BadInput);
     }
-    return Input{std::move(result.scene), sourceBytes, kind == FileKind::Sdo};
+    input.scene = std::move(result.scene);
+    for (const auto &[read, bytes] : files.read()) {
+        input.files.push_back(read);
+        input.sourceBytes += bytes;
+    }
+    return input;
 }
 
 }

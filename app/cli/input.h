@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <QStringList>
 
@@ -19,7 +20,9 @@ namespace romanesco::cli {
 /// A scene from the command line, with what belongs to its file.
 struct Input {
     std::shared_ptr<const Scene> scene;
-    std::size_t sourceBytes = 0;
+    /// All files that it is made from, FILE first, and their bytes in all.
+    std::vector<std::filesystem::path> files;
+    std::uint64_t sourceBytes = 0;
     /// The file is an .sdo, which places other files.
     bool isAssembled = false;
 };

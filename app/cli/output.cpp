@@ -3,15 +3,18 @@
 #include "output.h"
 
 #include <atomic>
+#include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <print>
 
 #include <QFile>
-#include <QFileInfo>
-#include <QSaveFile>
 
 #include <unistd.h>
+
+#include "core/base/atomicfile.h"
+#include "core/base/systemerror.h"
 
 namespace romanesco::cli {
 
@@ -28,24 +31,27 @@ void complain(const QString &words)
 
 bool writeWhole(const QString &file, const QByteArray &bytes)
 {
-    const auto fail = [&](const QString &reason) {
-        complain(QStringLiteral("cannot write %1: %2").arg(file, reason));
-        return false;
-    };
-    if (file == QLatin1String("-")) {
-        QFile output;
-        const bool isWritten =
-            output.open(stdout, QIODevice::WriteOnly) && output.write(bytes) == bytes.size() && output.flush();
-        return isWritten || fail(output.errorString());
+    const std::string_view all(bytes.data(), static_cast<std::size_t>(bytes.size()));
+    const auto written = file == QLatin1String("-") ? StandardOutput().write(all)
+                                                    : romanesco::writeWhole(QFile::encodeName(file).toStdString(), all);
+    if (!written) {
+        complain(QStringLiteral("cannot write %1: %2").arg(file, QString::fromStdString(written.error())));
     }
-    const QFileInfo info(file);
-    if (info.exists() && !info.isFile()) {
-        return fail(QStringLiteral("it is not a regular file"));
+    return written.has_value();
+}
+
+std::expected<void, std::string> StandardOutput::write(std::string_view bytes)
+{
+    // what stdio may still hold goes first, and it would not tell the reason of an error
+    std::fflush(stdout);
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) {
+            return std::unexpected(systemReason(errno));
+        }
+        bytes.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
     }
-    QSaveFile output(file);
-    const bool isWritten = output.open(QIODevice::WriteOnly) && output.write(bytes) == bytes.size() && output.flush()
-        && ::fsync(output.handle()) == 0 && output.commit();
-    return isWritten || fail(output.errorString());
+    return {};
 }
 
 void catchCancel()
@@ -59,6 +65,18 @@ void catchCancel()
 bool isCancelled()
 {
     return cancelled;
+}
+
+CancelWatch::CancelWatch()
+    : m_thread([stop = m_stop](const std::stop_token &end) mutable {
+        while (!end.stop_requested() && !isCancelled()) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        if (isCancelled()) {
+            stop.request_stop();
+        }
+    })
+{
 }
 
 Progress::Progress(bool isQuiet)

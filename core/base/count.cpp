@@ -45,6 +45,15 @@ bool Count::isZero() const
     return exact && exact->is_zero();
 }
 
+std::optional<std::uint64_t> Count::toInteger() const
+{
+    const Integer *exact = std::get_if<Integer>(&m_value);
+    if (!exact || *exact > std::numeric_limits<std::uint64_t>::max()) {
+        return std::nullopt;
+    }
+    return static_cast<std::uint64_t>(*exact);
+}
+
 void Count::settle()
 {
     if (isTooLong(std::get<Integer>(m_value))) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -26,6 +27,9 @@ public:
 
     /// Decimal digits, or "~8.81e646456992" (three significant digits, rounded) where the value is not exact.
     [[nodiscard]] std::string toString() const;
+
+    /// The value where it is exact and fits.
+    [[nodiscard]] std::optional<std::uint64_t> toInteger() const;
 
     /// The decimal logarithm, to double precision; -inf of zero.
     [[nodiscard]] double log10() const;

@@ -9,6 +9,7 @@
 #include <map>
 #include <vector>
 
+#include "binaryoutput.h"
 #include "core/geometry/normals.h"
 #include "numbertext.h"
 
@@ -181,8 +182,7 @@ private:
 
     void writeFaces(std::uint32_t first, std::uint32_t end, bool isMirrored)
     {
-        const std::array<std::size_t, 3> corners =
-            isMirrored ? std::array<std::size_t, 3>{0, 2, 1} : std::array<std::size_t, 3>{0, 1, 2};
+        const std::array<std::size_t, 3> corners = cornerOrder(isMirrored);
         for (std::uint32_t face = first; face < end && m_out.isGood(); ++face) {
             char *to = m_out.room(mostLine);
             *to++ = 'f';

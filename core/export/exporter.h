@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <string>
+
+#include "core/base/bytesink.h"
+#include "core/scene/scene.h"
+#include "exportoptions.h"
+#include "forecast.h"
+
+namespace romanesco {
+
+/// What an export came to.
+struct ExportReport {
+    std::uint64_t faces = 0;
+    std::uint64_t bytes = 0;
+};
+
+/// More faces than these are hardly meant: who asks for them should be asked first.
+constexpr std::uint64_t mostFacesUnasked = 1'000'000'000;
+
+/// What an export looks at while it works.
+struct ExportContext {
+    /// A stop takes effect within some milliseconds; the error is then "cancelled".
+    std::stop_token stop = {};
+    /// Told the bytes written so far, some thousand times a second, in the thread that writes.
+    std::function<void(std::uint64_t bytes)> progress = {};
+};
+
+/// Why an export to this path cannot come to an end: the format or the disk cannot hold it. Empty where nothing is known
+/// against it.
+[[nodiscard]] std::string obstacle(const ExportForecast &forecast, const ExportOptions &options,
+                                   const std::filesystem::path &path);
+
+/// Writes a scene as one file: each item, in its distinct copies, at its place; balls where they start. Takes memory that
+/// does not grow with the number of copies. An OBJ is without its materials, which stand in a file of their own. The
+/// error is why it could not be done.
+[[nodiscard]] std::expected<ExportReport, std::string> exportScene(const Scene &scene, const ExportOptions &options,
+                                                                   ByteSink &sink, const ExportContext &context = {});
+
+/// The same to a file that appears whole or not at all. Beside an OBJ with materials appears another, whose name ends in
+/// .mtl.
+[[nodiscard]] std::expected<ExportReport, std::string> exportToFile(const Scene &scene, const ExportOptions &options,
+                                                                    const std::filesystem::path &path,
+                                                                    const ExportContext &context = {});
+
+}
