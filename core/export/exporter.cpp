@@ -103,7 +103,7 @@ std::expected<ExportReport, std::string> write(const CopySource &copies, const S
 std::optional<std::uint64_t> freeBytes(const std::filesystem::path &path)
 {
     std::error_code error;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+    const std::filesystem::path target = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
     const std::filesystem::space_info space = std::filesystem::space(target.parent_path(), error);
     return error ? std::nullopt : std::optional(std::uint64_t{space.available});
 }
