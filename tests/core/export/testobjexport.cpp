@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <cmath>
+
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -81,6 +83,10 @@ class TestObjExport : public QObject
 private Q_SLOTS:
     void meshesAreWrittenWithAllTheyHave();
     void copiesShareTextureCoordinatesAndHaveNormalsOfTheirOwn();
+    void normalsGoAlongWithUnequalScales();
+    void cornersMayHaveANormalAlone();
+    void meshesNumberTheirOwnTextureCoordinates();
+    void whatHoldsAlreadyIsNotSaidAgain();
     void mirroredCopiesKeepEachCornersAttributes();
     void coloursStandBesideVertices();
     void looksAreAsAssimpReadsThem();
@@ -110,6 +116,58 @@ void TestObjExport::copiesShareTextureCoordinatesAndHaveNormalsOfTheirOwn()
     QCOMPARE(linesOf(text, "vt").size(), std::size_t{3});
     QCOMPARE(linesOf(text, "vn").size(), std::size_t{4});
     QCOMPARE(linesOf(text, "f").at(3), (std::vector<std::string>{"5/1/3", "6/2/3", "7/3/3"}));
+}
+
+/// The plane x + y = 1 becomes x/2 + y/4 = 1.
+void TestObjExport::normalsGoAlongWithUnequalScales()
+{
+    Mesh mesh;
+    mesh.vertices = {{1, 0, 0}, {0, 1, 0}, {0, 1, 1}};
+    mesh.faces = {{0, 1, 2}};
+    mesh.normals = {{1, 1, 0}};
+    mesh.faceNormals = {{0, 0, 0}};
+    const AffineMap map = mapFromParts({7, 8, 9}, {0, 0, 0}, {2, 4, 8});
+    const std::vector<std::string> normal = linesOf(objOf(ListedCopies(mesh, {{map}})), "vn").at(0);
+    QVERIFY(std::abs(std::strtod(normal.at(0).c_str(), nullptr) - 2 / std::sqrt(5.0)) < 1e-15);
+    QVERIFY(std::abs(std::strtod(normal.at(1).c_str(), nullptr) - 1 / std::sqrt(5.0)) < 1e-15);
+    // as it is where nothing is turned
+    QCOMPARE(linesOf(objOf(PlainMesh(mesh)), "vn").at(0), (std::vector<std::string>{"1", "1", "0"}));
+}
+
+void TestObjExport::cornersMayHaveANormalAlone()
+{
+    Mesh mesh = decoratedMesh();
+    mesh.faceTextureCoordinates.clear();
+    QCOMPARE(linesOf(objOf(PlainMesh(mesh)), "f").at(1), (std::vector<std::string>{"1//2", "3//2", "4//2"}));
+    mesh.faceNormals.clear();
+    QCOMPARE(linesOf(objOf(PlainMesh(mesh)), "f").at(1), (std::vector<std::string>{"1", "3", "4"}));
+    mesh = decoratedMesh();
+    mesh.faceNormals.clear();
+    QCOMPARE(linesOf(objOf(PlainMesh(mesh)), "f").at(1), (std::vector<std::string>{"1/3", "3/2", "4/1"}));
+}
+
+void TestObjExport::meshesNumberTheirOwnTextureCoordinates()
+{
+    const auto model = modelOfMesh(std::make_shared<const Mesh>(decoratedMesh()));
+    const auto other = modelOfMesh(std::make_shared<const Mesh>(decoratedMesh()));
+    Scene scene;
+    for (const auto &each : {model, other, model}) {
+        scene.items.push_back({.model = each});
+    }
+    const std::string text = exported(scene);
+    QCOMPARE(linesOf(text, "vt").size(), std::size_t{6});
+    QCOMPARE(linesOf(text, "f").at(3), (std::vector<std::string>{"5/4/3", "6/5/3", "7/6/3"}));
+    QCOMPARE(linesOf(text, "f").at(6), (std::vector<std::string>{"9/1/5", "10/2/5", "11/3/5"}));
+}
+
+void TestObjExport::whatHoldsAlreadyIsNotSaidAgain()
+{
+    Mesh mesh = decoratedMesh();
+    mesh.parts = {{0, 1, 1, 3}};
+    const std::string text = objOf(ListedCopies(mesh, {{}, {}, {}}), {.materialLibrary = "m"});
+    for (const char *keyword : {"usemtl", "g", "s"}) {
+        QCOMPARE(linesOf(text, keyword).size(), std::size_t{1});
+    }
 }
 
 void TestObjExport::mirroredCopiesKeepEachCornersAttributes()
