@@ -131,6 +131,7 @@ private Q_SLOTS:
     void flatCopiesAreWritten();
     void branchesAreGroups();
     void stopsAreHeeded();
+    void stopsAreHeededInsideACopy();
 };
 
 /// Maps of all kinds: similar, unequal, sheared, mirrored and flat; sets with and without `#`, which share maps.
@@ -229,6 +230,20 @@ void TestExportedCopies::stopsAreHeeded()
     QVERIFY(!report);
     QCOMPARE(report.error(), std::string("cancelled"));
     QVERIFY(sink.count() < 2'000'000);
+}
+
+void TestExportedCopies::stopsAreHeededInsideACopy()
+{
+    Mesh mesh;
+    mesh.vertices.assign(1'000'000, {0.1, 0.2, 0.3});
+    mesh.faces = {{0, 1, 2}};
+    std::stop_source stop;
+    CountingSink sink;
+    const auto report = exportScene(sceneOf(modelOfMesh(std::make_shared<const Mesh>(std::move(mesh)))), {}, sink,
+                                    {stop.get_token(), [&](std::uint64_t) { stop.request_stop(); }});
+    QVERIFY(!report);
+    QCOMPARE(report.error(), std::string("cancelled"));
+    QVERIFY(sink.count() < 1'000'000);
 }
 
 }

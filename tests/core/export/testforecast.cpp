@@ -81,6 +81,8 @@ private Q_SLOTS:
     void bytesAreWithinTwoPerCent();
     void bytesOfAnyFractalAreWithinTwoPerCent();
     void bytesOfSmallFilesAreExact();
+    void groupsOfACopyEachAreForecast();
+    void numbersAreThoseOfThePlacedItem();
     void manyItemsAreForecastTogether();
     void anySizeIsForecast_data();
     void anySizeIsForecast();
@@ -149,6 +151,35 @@ void TestForecast::bytesOfSmallFilesAreExact()
     for (const ExportFormat format : {ExportFormat::Obj, ExportFormat::Ply, ExportFormat::Stl}) {
         QCOMPARE(errorOf(*menger(2), {.format = format, .source = "a.fdo"}), 0.0);
     }
+}
+
+/// Short numbers: whole ones.
+std::shared_ptr<const Scene> rowOf(int count, const std::string &line)
+{
+    std::string text = "x. \"cube.obj\"\nt.p. (p, #, #)\n";
+    std::string set;
+    for (int i = 1; i <= count; ++i) {
+        text += "v " + std::to_string(i % 7) + " " + std::to_string(i / 7) + " 1\n";
+        set += (i == 1 ? "t." : ", t.") + std::to_string(i);
+    }
+    return loaded(TableFiles({{"cube.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nf 1 2 3\n"},
+                              {"a.fdo", text + "<$>. [" + set + "] x\n"},
+                              {"a.sdo", line}}),
+                  "a.sdo");
+}
+
+void TestForecast::groupsOfACopyEachAreForecast()
+{
+    const auto scene = rowOf(40'000, "f \"a.fdo\" #\n");
+    QVERIFY(scene);
+    QVERIFY(errorOf(*scene, {.isGrouped = true}) < 0.02);
+}
+
+void TestForecast::numbersAreThoseOfThePlacedItem()
+{
+    const auto scene = rowOf(40'000, "f \"a.fdo\" (#, (10, 20, 30), #)\n");
+    QVERIFY(scene);
+    QVERIFY(errorOf(*scene, {}) < 0.02);
 }
 
 void TestForecast::manyItemsAreForecastTogether()
