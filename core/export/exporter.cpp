@@ -69,7 +69,7 @@ std::string commentOf(const Scene &scene, const std::string &source, std::uint64
     if (scene.depth) {
         comment += ", depth " + std::to_string(scene.depth->value);
     }
-    return comment + ", " + std::to_string(faces) + " faces";
+    return comment + ", " + std::to_string(faces) + (faces == 1 ? " face" : " faces");
 }
 
 std::expected<SceneCopies, std::string> copiesOf(const Scene &scene, const ExportOptions &options,

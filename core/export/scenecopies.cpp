@@ -22,7 +22,7 @@ bool mirrors(const SceneItem &item)
     const FractalGraph &graph = item.model->graph;
     bool isAny = isMirrored(item.worldFromModel.linear);
     for (SetId set = 0; set < graph.setCount(); ++set) {
-        isAny = isAny || std::ranges::any_of(graph.set(set).maps, isMirrored, &AffineMap::linear);
+        isAny = isAny || std::ranges::any_of(graph.facts(set), [](const MapFacts &facts) { return facts.sign < 0; });
     }
     return isAny;
 }

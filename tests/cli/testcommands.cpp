@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -46,6 +48,7 @@ private Q_SLOTS:
         QFile sparse(path("sparse.fdo"));
         QVERIFY(sparse.open(QIODevice::WriteOnly) && sparse.resize(100'000'000'000));
         QVERIFY(QDir(m_folder.path()).mkdir(QStringLiteral("folder.fdo")));
+        QCOMPARE(::mkfifo(path("pipe").toUtf8().constData(), 0600), 0);
     }
 
     void infoCountsAppendixB()
@@ -70,6 +73,14 @@ private Q_SLOTS:
         QCOMPARE(object[QStringLiteral("levels")].toArray().size(), 12);
         QCOMPARE(object[QStringLiteral("faces_per_base")].toInt(), 14);
         QVERIFY(object[QStringLiteral("contracting")].toBool());
+        const QJsonObject storage = object[QStringLiteral("storage")].toObject();
+        const qint64 source = QFileInfo(examples + QStringLiteral("appendix-b.fdo")).size()
+            + QFileInfo(examples + QStringLiteral("FractalBase.obj")).size();
+        QCOMPARE(storage[QStringLiteral("source_bytes")].toString(), QString::number(source));
+        // 14 faces and 9 vertices a copy, of some 31 and 58 bytes
+        const double flattened = storage[QStringLiteral("flattened_obj_bytes")].toString().toDouble();
+        QVERIFY2(flattened > 172855881.0 * 700 && flattened < 172855881.0 * 1300,
+                 qPrintable(QString::number(flattened)));
     }
 
     void depthReplacesTheTextsDepth()
@@ -291,7 +302,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QString>("output");
         QTest::newRow("folder") << m_folder.path();
-        QTest::newRow("device") << QStringLiteral("/dev/null");
+        QTest::newRow("pipe") << path("pipe");
         QTest::newRow("missing folder") << path("gone/a.png");
         QTest::newRow("full device on standard output") << QStringLiteral("-");
     }
