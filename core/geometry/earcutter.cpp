@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 #include <algorithm>
+#include <bit>
 #include <cassert>
-#include <cmath>
 #include <deque>
+#include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "polygoncutter.h"
 
@@ -21,83 +24,122 @@ double area(const glm::dvec2 &a, const glm::dvec2 &b, const glm::dvec2 &c)
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Points by the cells of a grid of about as many cells as points.
-class PointGrid
+using Corners = std::array<glm::dvec2, 3>;
+
+/// Points to look for in triangles, which can be taken out. A balanced tree of boxes (Bentley 1975), a node's children
+/// behind it as in a heap.
+class PointTree
 {
 public:
-    PointGrid() = default;
-    PointGrid(std::span<const glm::dvec2> points, std::span<const Number> chosen);
+    PointTree(std::span<const glm::dvec2> points, std::vector<Number> chosen);
 
-    /// Whether the function holds for one of the points that may lie in the box.
+    void remove(Number point);
+    /// Whether the function holds for one of those that may lie in the triangle, which turns left, or on its edges.
     template<typename Function>
-    bool any(const glm::dvec2 &least, const glm::dvec2 &greatest, Function function) const
-    {
-        const auto [left, bottom] = cellOf(least);
-        const auto [right, top] = cellOf(greatest);
-        for (std::size_t row = bottom; row <= top; ++row) {
-            // the cells of a row lie one behind another
-            const Number end = m_starts[row * m_width + right + 1];
-            for (Number i = m_starts[row * m_width + left]; i < end; ++i) {
-                if (function(m_points[i])) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
+    [[nodiscard]] bool any(const Corners &triangle, Function function) const;
 
 private:
-    struct Cell {
-        std::size_t column;
-        std::size_t row;
+    static constexpr std::size_t leafSize = 8;
+    struct Node {
+        glm::dvec2 least;
+        glm::dvec2 greatest;
+        /// In m_order.
+        Number begin;
+        Number end;
+        /// That have not been taken out.
+        Number left;
     };
-    [[nodiscard]] Cell cellOf(const glm::dvec2 &point) const
-    {
-        const auto most = static_cast<double>(m_width - 1);
-        const glm::dvec2 place = glm::clamp((point - m_least) * m_cellsPerUnit, 0.0, most);
-        return {static_cast<std::size_t>(place.x), static_cast<std::size_t>(place.y)};
-    }
+    [[nodiscard]] static bool isOutside(const Node &node, const Corners &triangle);
+    void makeNode(std::size_t index, Number begin, Number end);
 
-    glm::dvec2 m_least{0.0};
-    glm::dvec2 m_cellsPerUnit{0.0};
-    std::size_t m_width = 1;
-    /// Of each cell, in m_points; and the end.
-    std::vector<Number> m_starts{0, 0};
-    std::vector<Number> m_points;
+    std::span<const glm::dvec2> m_points;
+    std::vector<Number> m_order;
+    std::vector<Node> m_nodes;
+    std::size_t m_innerCount;
+    /// By the point.
+    std::vector<Number> m_leaves;
 };
 
-PointGrid::PointGrid(std::span<const glm::dvec2> points, std::span<const Number> chosen)
+PointTree::PointTree(std::span<const glm::dvec2> points, std::vector<Number> chosen)
+    : m_points(points)
+    , m_order(std::move(chosen))
+    , m_innerCount(std::bit_ceil(m_order.size() / leafSize + 1) - 1)
+    , m_leaves(points.size())
 {
-    if (!chosen.empty()) {
-        m_least = points[chosen[0]];
-        glm::dvec2 greatest = m_least;
-        for (const Number point : chosen) {
-            m_least = glm::min(m_least, points[point]);
-            greatest = glm::max(greatest, points[point]);
+    m_nodes.resize(2 * m_innerCount + 1);
+    makeNode(0, 0, static_cast<Number>(m_order.size()));
+    for (std::size_t i = 0; i < m_innerCount; ++i) {
+        const auto &[least, greatest, begin, end, left] = m_nodes[i];
+        const int axis = greatest.x - least.x < greatest.y - least.y;
+        const Number middle = begin + (end - begin) / 2;
+        std::nth_element(m_order.begin() + begin, m_order.begin() + middle, m_order.begin() + end,
+                         [&](Number a, Number b) { return points[a][axis] < points[b][axis]; });
+        makeNode(2 * i + 1, begin, middle);
+        makeNode(2 * i + 2, middle, end);
+    }
+    for (std::size_t i = m_innerCount; i < m_nodes.size(); ++i) {
+        for (Number k = m_nodes[i].begin; k < m_nodes[i].end; ++k) {
+            m_leaves[m_order[k]] = static_cast<Number>(i);
         }
-        m_width = static_cast<std::size_t>(std::sqrt(static_cast<double>(chosen.size()))) + 1;
-        const glm::dvec2 size = greatest - m_least;
-        for (int axis = 0; axis < 2; ++axis) {
-            m_cellsPerUnit[axis] = size[axis] > 0 ? static_cast<double>(m_width) / size[axis] : 0.0;
+    }
+}
+
+void PointTree::makeNode(std::size_t index, Number begin, Number end)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Node node{glm::dvec2(infinity), glm::dvec2(-infinity), begin, end, end - begin};
+    for (Number k = begin; k < end; ++k) {
+        node.least = glm::min(node.least, m_points[m_order[k]]);
+        node.greatest = glm::max(node.greatest, m_points[m_order[k]]);
+    }
+    m_nodes[index] = node;
+}
+
+void PointTree::remove(Number point)
+{
+    std::size_t node = m_leaves[point];
+    --m_nodes[node].left;
+    while (node > 0) {
+        node = (node - 1) / 2;
+        --m_nodes[node].left;
+    }
+}
+
+/// On the wrong side of an edge with all its box, or beside the triangle.
+bool PointTree::isOutside(const Node &node, const Corners &triangle)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec2 a = triangle[i];
+        const glm::dvec2 b = triangle[(i + 1) % 3];
+        const glm::dvec2 innermost(b.y > a.y ? node.least.x : node.greatest.x,
+                                   b.x > a.x ? node.greatest.y : node.least.y);
+        if (area(a, b, innermost) < 0) {
+            return true;
         }
     }
-    const auto cellIndex = [&](Number point) {
-        const Cell cell = cellOf(points[point]);
-        return cell.row * m_width + cell.column;
-    };
-    // a counting sort
-    m_starts.assign(m_width * m_width + 1, 0);
-    for (const Number point : chosen) {
-        ++m_starts[cellIndex(point) + 1];
+    const auto [a, b, c] = triangle;
+    return glm::any(glm::greaterThan(glm::min(glm::min(a, b), c), node.greatest))
+        || glm::any(glm::lessThan(glm::max(glm::max(a, b), c), node.least));
+}
+
+template<typename Function>
+bool PointTree::any(const Corners &triangle, Function function) const
+{
+    std::array<std::size_t, 64> open{0};
+    for (std::size_t count = 1; count > 0;) {
+        const std::size_t index = open[--count];
+        const Node &node = m_nodes[index];
+        if (node.left == 0 || isOutside(node, triangle)) {
+            continue;
+        }
+        if (index < m_innerCount) {
+            open[count++] = 2 * index + 2;
+            open[count++] = 2 * index + 1;
+        } else if (std::any_of(m_order.begin() + node.begin, m_order.begin() + node.end, function)) {
+            return true;
+        }
     }
-    for (std::size_t i = 1; i < m_starts.size(); ++i) {
-        m_starts[i] += m_starts[i - 1];
-    }
-    std::vector<Number> ends(m_starts.begin(), m_starts.end() - 1);
-    m_points.resize(chosen.size());
-    for (const Number point : chosen) {
-        m_points[ends[cellIndex(point)]++] = point;
-    }
+    return false;
 }
 
 class EarCutter
@@ -127,10 +169,12 @@ private:
     [[nodiscard]] bool isGone(Number corner) const { return m_next[corner] == corner; }
     [[nodiscard]] bool isEar(Number corner) const;
     [[nodiscard]] bool isBlocked(const CornerTriangle &ear) const;
+    std::vector<Number> makeRing();
     Number nextEar();
     Number leastBad();
     void remove(Number corner);
     void neighbourWent(Number corner);
+    void clearReflex(Number corner);
 
     std::span<const glm::dvec2> m_corners;
     /// The ring of those that are left.
@@ -138,9 +182,10 @@ private:
     std::vector<Number> m_next;
     /// That do not turn left: only these can lie in the way of an ear.
     std::vector<bool> m_isReflex;
-    PointGrid m_reflex;
     /// Whether a corner is an ear changes only with its neighbours, so each is tried once and then after these.
     std::deque<Number> m_untried;
+    /// The reflex corners.
+    PointTree m_reflex;
     /// Tried, and in line with their neighbours.
     std::vector<Number> m_inLine;
     /// One that is left.
@@ -152,19 +197,25 @@ EarCutter::EarCutter(std::span<const glm::dvec2> corners)
     , m_previous(corners.size())
     , m_next(corners.size())
     , m_isReflex(corners.size())
+    , m_reflex(corners, makeRing())
 {
-    const auto count = static_cast<Number>(corners.size());
+}
+
+/// Returns the reflex corners.
+std::vector<Number> EarCutter::makeRing()
+{
+    const auto count = static_cast<Number>(m_corners.size());
     std::vector<Number> reflex;
     for (Number corner = 0; corner < count; ++corner) {
         m_previous[corner] = (corner > 0 ? corner : count) - 1;
         m_next[corner] = corner + 1 < count ? corner + 1 : 0;
-        if (!(turn(corner) > 0)) {
-            m_isReflex[corner] = true;
+        m_isReflex[corner] = !(turn(corner) > 0);
+        if (m_isReflex[corner]) {
             reflex.push_back(corner);
         }
         m_untried.push_back(corner);
     }
-    m_reflex = PointGrid(corners, reflex);
+    return reflex;
 }
 
 Number EarCutter::nextEar()
@@ -212,10 +263,8 @@ bool EarCutter::isEar(Number corner) const
 /// edges touch.
 bool EarCutter::isBlocked(const CornerTriangle &ear) const
 {
-    const glm::dvec2 a = m_corners[ear[0]];
-    const glm::dvec2 b = m_corners[ear[1]];
-    const glm::dvec2 c = m_corners[ear[2]];
-    return m_reflex.any(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), [&](Number other) {
+    const auto [a, b, c] = Corners{m_corners[ear[0]], m_corners[ear[1]], m_corners[ear[2]]};
+    return m_reflex.any({a, b, c}, [&](Number other) {
         const glm::dvec2 p = m_corners[other];
         return m_isReflex[other] && p != a && p != b && p != c && area(a, b, p) >= 0 && area(b, c, p) >= 0
             && area(c, a, p) >= 0;
@@ -229,7 +278,7 @@ void EarCutter::remove(Number corner)
     m_next[previous] = next;
     m_previous[next] = previous;
     m_next[corner] = corner;
-    m_isReflex[corner] = false;
+    clearReflex(corner);
     m_start = m_start == corner ? next : m_start;
     neighbourWent(previous);
     neighbourWent(next);
@@ -238,9 +287,17 @@ void EarCutter::remove(Number corner)
 void EarCutter::neighbourWent(Number corner)
 {
     if (turn(corner) > 0) {
-        m_isReflex[corner] = false;
+        clearReflex(corner);
     }
     m_untried.push_back(corner);
+}
+
+void EarCutter::clearReflex(Number corner)
+{
+    if (m_isReflex[corner]) {
+        m_isReflex[corner] = false;
+        m_reflex.remove(corner);
+    }
 }
 
 }

@@ -37,10 +37,11 @@ private:
 };
 
 /// Appends n - 2 triangles of a polygon in the plane that turns left, n >= 3: ears are cut off one after another
-/// (Meisters 1975; the lists of Eberly, "Triangulation by Ear Clipping", and a grid for the reflex corners). Together
+/// (Meisters 1975; the lists of Eberly, "Triangulation by Ear Clipping", with a tree for the reflex corners). Together
 /// they cover a simple polygon once, also one whose edges touch (a hole with a bridge); none is turned over, and corners
 /// in line make no triangle without area where that can be avoided. A polygon that crosses itself gets some triangles,
-/// always the same. Cost: about n log n; at worst, for shapes nobody draws, n^2.
+/// always the same. Cost: near n log n (320,000 corners take
+/// a second or less in all shapes that were tried); no better bound than n^2 is known.
 void cutEars(std::span<const glm::dvec2> corners, std::vector<CornerTriangle> &triangles);
 
 }
