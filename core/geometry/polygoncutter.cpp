@@ -42,18 +42,14 @@ void PolygonCutter::makeLocal(std::span<const glm::dvec3> corners)
         farthest = glm::max(farthest, glm::abs(m_local.back()));
     }
     const double size = std::max({farthest.x, farthest.y, farthest.z});
-    if (!std::isfinite(size)) {
-        std::ranges::fill(m_local, glm::dvec3(0.0));
-        return;
-    }
-    // so that products neither overflow nor vanish
+    // So that products neither overflow nor vanish. Of infinite differences no numbers are left.
     const double unit = std::ldexp(1.0, -std::max(std::ilogb(size), -1000));
     for (glm::dvec3 &corner : m_local) {
         corner *= unit;
     }
 }
 
-/// Also where products are no numbers.
+/// Also where what is computed is no number.
 bool PolygonCutter::isFan(const glm::dvec3 &normal) const
 {
     for (std::size_t i = 1; i + 1 < m_local.size(); ++i) {

@@ -39,9 +39,10 @@ private:
 /// Appends n - 2 triangles of a polygon in the plane that turns left, n >= 3: ears are cut off one after another
 /// (Meisters 1975; the lists of Eberly, "Triangulation by Ear Clipping", with a tree for the reflex corners). Together
 /// they cover a simple polygon once, also one whose edges touch (a hole with a bridge); none is turned over, and corners
-/// in line make no triangle without area where that can be avoided. A polygon that crosses itself gets some triangles,
+/// in line make no triangle without area where that can be avoided. Coordinates are from -2 to 2; they are rounded to
+/// 2^-50, and what follows is judged exactly. A polygon that crosses itself gets some triangles,
 /// always the same. Cost: near n log n (320,000 corners take
-/// a second or less in all shapes that were tried); no better bound than n^2 is known.
+/// one to three seconds at worst in all shapes tried); no better bound than n^2 is known.
 void cutEars(std::span<const glm::dvec2> corners, std::vector<CornerTriangle> &triangles);
 
 }

@@ -59,8 +59,15 @@ QString fault(const Polygon &polygon, std::span<const CornerTriangle> triangles,
                                                   : QStringLiteral("the areas differ by %1").arg(sum / whole - 1);
 }
 
-Triangles earsOf(const Polygon &polygon)
+Triangles earsOf(Polygon polygon)
 {
+    double size = 0.0;
+    for (const glm::dvec2 &corner : polygon) {
+        size = std::max({size, std::abs(corner.x), std::abs(corner.y)});
+    }
+    for (glm::dvec2 &corner : polygon) {
+        corner *= std::ldexp(1.0, -std::ilogb(size));
+    }
     Triangles triangles;
     cutEars(polygon, triangles);
     return triangles;
