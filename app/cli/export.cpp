@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Options {
     QCommandLineOption output{{QStringLiteral("o"), QStringLiteral("output")},
-                              QStringLiteral("The file to write, .obj, .ply or .stl; - is stdout, as OBJ."),
+                              QStringLiteral("The file to write: .obj, .ply, .stl or .glb; - is stdout, as OBJ."),
                               QStringLiteral("OUT")};
     QCommandLineOption digits{
         QStringLiteral("digits"),
@@ -58,7 +58,7 @@ std::optional<ExportOptions> exportOptions(const QCommandLineParser &parser, con
     const QString output = parser.value(options.output);
     const auto format = output == QLatin1String("-") ? ExportFormat::Obj : exportFormat(outputPath(output));
     if (!format) {
-        return wrong(QStringLiteral("%1: only .obj, .ply and .stl files can be written").arg(output));
+        return wrong(QStringLiteral("%1: only .obj, .ply, .stl and .glb files can be written").arg(output));
     }
     ExportOptions result{.format = *format, .isGrouped = parser.isSet(options.groups)};
     if (*format != ExportFormat::Obj && (result.isGrouped || parser.isSet(options.digits))) {
@@ -209,7 +209,15 @@ int runExport(const QStringList &arguments)
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
     std::FILE *stream = isStreamed ? stderr : stdout;
+    if (report->missingImages > 0) {
+        complain(QStringLiteral("%1 of the textures cannot be read, or are neither PNG nor JPEG: left out")
+                     .arg(report->missingImages));
+    }
     std::println(stream, "faces        {}", report->faces);
+    if (report->bakedCopies > 0) {
+        std::println(stream, "baked        {} copies that are not translation, rotation and scale",
+                     report->bakedCopies);
+    }
     std::println(stream, "bytes        {}", report->bytes);
     std::println(stream, "seconds      {:.3f}", seconds);
     std::println(stream, "source       {} bytes, {:.3g} times less", input->sourceBytes,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/atomicfile.h"
+#include "core/formats/glbwriter.h"
 #include "core/formats/lineparser.h"
 #include "core/formats/objwriter.h"
 #include "core/formats/plywriter.h"
@@ -83,20 +84,43 @@ std::expected<SceneCopies, std::string> copiesOf(const Scene &scene, const Expor
     return SceneCopies(scene, *counts, branches, options.source, context.stop);
 }
 
+std::expected<GlbReport, std::string> writeGlb(const CopySource &copies, const std::string &comment, ByteSink &sink,
+                                               const ExportContext &context)
+{
+    const auto readImage = [&](const std::filesystem::path &path) {
+        const auto read = context.files ? context.files->read(path) : DiskFiles().read(path);
+        return read ? std::optional(*read) : std::nullopt;
+    };
+    return romanesco::writeGlb(copies, {comment, readImage}, sink);
+}
+
 std::expected<ExportReport, std::string> write(const CopySource &copies, const Scene &scene,
                                                const ExportOptions &options, const std::string &materialLibrary,
                                                ByteSink &sink, const ExportContext &context)
 {
     WatchedSink watched(sink, context);
-    const std::uint64_t faces = facesOf(copies);
-    const std::string comment = commentOf(scene, options.source, faces);
-    const auto written = options.format == ExportFormat::Ply ? writePly(copies, comment, watched)
-        : options.format == ExportFormat::Stl                ? writeStl(copies, comment, watched)
-                                              : writeObj(copies, {comment, options.digits, materialLibrary}, watched);
-    if (!written) {
-        return Failure(written.error());
+    ExportReport report{.faces = facesOf(copies)};
+    const std::string comment = commentOf(scene, options.source, report.faces);
+    std::expected<void, std::string> written;
+    switch (options.format) {
+    case ExportFormat::Obj:
+        written = writeObj(copies, {comment, options.digits, materialLibrary}, watched);
+        break;
+    case ExportFormat::Ply:
+        written = writePly(copies, comment, watched);
+        break;
+    case ExportFormat::Stl:
+        written = writeStl(copies, comment, watched);
+        break;
+    case ExportFormat::Glb:
+        written = writeGlb(copies, comment, watched, context).transform([&](const GlbReport &glb) {
+            report.bakedCopies = glb.bakedCopies;
+            report.missingImages = glb.missingImages;
+        });
+        break;
     }
-    return ExportReport{faces, watched.count()};
+    report.bytes = watched.count();
+    return written ? std::expected<ExportReport, std::string>(report) : Failure(written.error());
 }
 
 /// In the folder where a file will stand, which is that of its target where it is a link.
@@ -132,6 +156,9 @@ std::string obstacle(const ExportForecast &forecast, const ExportOptions &option
     }
     if (options.format == ExportFormat::Ply && isMore(forecast.vertices, mostPlyVertices)) {
         return "a PLY file holds at most " + std::to_string(mostPlyVertices) + " vertices";
+    }
+    if (options.format == ExportFormat::Glb && isMore(forecast.bytes, mostGlbBytes)) {
+        return "a GLB file holds at most " + std::to_string(mostGlbBytes) + " bytes";
     }
     const std::optional<std::uint64_t> space = freeBytes(path);
     if (space && isMore(forecast.bytes, *space)) {

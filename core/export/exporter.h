@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/base/bytesink.h"
+#include "core/base/file.h"
 #include "core/scene/scene.h"
 #include "exportoptions.h"
 #include "forecast.h"
@@ -20,6 +21,9 @@ namespace romanesco {
 struct ExportReport {
     std::uint64_t faces = 0;
     std::uint64_t bytes = 0;
+    /// Of a GLB: see GlbReport.
+    std::uint64_t bakedCopies = 0;
+    std::uint64_t missingImages = 0;
 };
 
 /// More faces than these are hardly meant: who asks for them should be asked first.
@@ -31,6 +35,8 @@ struct ExportContext {
     std::stop_token stop = {};
     /// Told the bytes written so far, some thousand times a second, in the thread that writes.
     std::function<void(std::uint64_t bytes)> progress = {};
+    /// Where textures are read from that go into the file; null for the disk.
+    const FileAccess *files = nullptr;
 };
 
 /// Why an export to this path cannot come to an end: the format or the disk cannot hold it. Empty where nothing is known

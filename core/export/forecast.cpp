@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <map>
+#include <random>
+#include <set>
 
+#include "copysampler.h"
+#include "core/formats/glbwriter.h"
 #include "core/formats/plywriter.h"
 #include "core/formats/stlwriter.h"
 #include "core/fractal/counts.h"
+#include "core/geometry/trs.h"
 #include "exporter.h"
 #include "objforecast.h"
 
@@ -42,6 +47,41 @@ bool hasColours(const Scene &scene)
     return std::ranges::any_of(scene.items, [](const SceneItem &item) { return !item.model->mesh->colours.empty(); });
 }
 
+/// Whether every product of the maps is translation, rotation and scale, as far as some copies tell.
+bool areInstances(const SceneItem &item)
+{
+    constexpr int sampledCopies = 200;
+    CopySampler copies(item.model->graph);
+    std::mt19937_64 random(20'250'607);
+    for (int i = 0; i < sampledCopies; ++i) {
+        if (!trsOf(item.worldFromModel * copies.sample(random))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Count glbBytes(const Scene &scene, const std::vector<Count> &copies)
+{
+    std::map<const Mesh *, std::uint64_t> ofCopy;
+    std::set<const Mesh *> written;
+    Count bytes;
+    for (std::size_t i = 0; i < scene.items.size(); ++i) {
+        const Mesh *mesh = scene.items[i].model->mesh.get();
+        const auto [known, isNew] = ofCopy.try_emplace(mesh);
+        if (isNew) {
+            known->second = glbBytesOfCopy(*mesh);
+        }
+        if (!areInstances(scene.items[i])) {
+            bytes += copies[i] * Count(known->second);
+            continue;
+        }
+        bytes += copies[i] * Count(glbBytesOfInstance);
+        bytes += Count(written.insert(mesh).second ? known->second : 0);
+    }
+    return bytes;
+}
+
 Count bytesOfMany(const Scene &scene, const std::vector<Count> &copies, const ExportForecast &known,
                   const ExportOptions &options)
 {
@@ -51,6 +91,7 @@ Count bytesOfMany(const Scene &scene, const std::vector<Count> &copies, const Ex
     case ExportFormat::Stl:
         return known.faces * Count(stlBytesOfFace);
     case ExportFormat::Glb:
+        return glbBytes(scene, copies);
     case ExportFormat::Obj:
         break;
     }

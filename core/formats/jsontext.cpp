@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "jsontext.h"
+
+#include <array>
+#include <charconv>
+#include <format>
+
+namespace romanesco {
+
+std::string jsonString(std::string_view text)
+{
+    std::string json = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') {
+            json += '\\';
+            json += c;
+        } else if (static_cast<unsigned char>(c) < ' ') {
+            json += std::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            json += c;
+        }
+    }
+    return json + '"';
+}
+
+std::string jsonNumber(double value)
+{
+    std::array<char, 32> text;
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string jsonNumbers(std::span<const double> values)
+{
+    std::string json = "[";
+    for (const double value : values) {
+        json += (json.size() > 1 ? "," : "") + jsonNumber(value);
+    }
+    return json + "]";
+}
+
+std::string jsonArray(std::span<const std::string> values)
+{
+    std::string json = "[";
+    for (const std::string &value : values) {
+        json += (json.size() > 1 ? "," : "") + value;
+    }
+    return json + "]";
+}
+
+}
