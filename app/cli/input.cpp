@@ -81,6 +81,11 @@ public:
     /// Paths, and the bytes of each.
     [[nodiscard]] const std::map<std::filesystem::path, std::uint64_t> &read() const { return m_read; }
 
+    [[nodiscard]] std::expected<void, std::string> check(const std::filesystem::path &path) const override
+    {
+        return m_files.check(path);
+    }
+
     /// Whether a change is wanted and there was nothing to change.
     [[nodiscard]] bool isInVain() const { return !m_digits.empty() && !m_hasChanged; }
 

@@ -18,4 +18,9 @@ std::expected<std::string, std::string> ResourceFiles::read(const std::filesyste
     return file.readAll().toStdString();
 }
 
+std::expected<void, std::string> ResourceFiles::check(const std::filesystem::path &path) const
+{
+    return path.native().starts_with(":/") ? FileAccess::check(path) : m_disk.check(path);
+}
+
 }

@@ -11,6 +11,7 @@ class ResourceFiles final : public FileAccess
 {
 public:
     [[nodiscard]] std::expected<std::string, std::string> read(const std::filesystem::path &path) const override;
+    [[nodiscard]] std::expected<void, std::string> check(const std::filesystem::path &path) const override;
 
 private:
     DiskFiles m_disk;

@@ -3,6 +3,7 @@
 #include "file.h"
 
 #include <cerrno>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -30,8 +31,11 @@ public:
             ::close(m_number);
         }
     }
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
+    Descriptor(Descriptor &&other) noexcept
+        : m_number(std::exchange(other.m_number, -1))
+    {
+    }
+    Descriptor &operator=(Descriptor &&) = delete;
     operator int() const { return m_number; }
 
 private:
@@ -43,16 +47,19 @@ std::unexpected<std::string> failure(int number)
     return std::unexpected(systemReason(number));
 }
 
-}
+struct RegularFile {
+    Descriptor descriptor;
+    off_t size = 0;
+};
 
-std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::path &path) const
+std::expected<RegularFile, std::string> open(const std::filesystem::path &path)
 {
     if (path.native().contains('\0')) {
         return failure(ENOENT); // open() would see a shorter name
     }
 
     // Without O_NONBLOCK the opening of a pipe would wait for its writer.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file < 0) {
         return failure(errno);
     }
@@ -69,11 +76,33 @@ std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::p
     if (status.st_size > largestFile) {
         return std::unexpected("it is larger than 2 GB");
     }
+    return RegularFile{std::move(file), status.st_size};
+}
+
+}
+
+std::expected<void, std::string> FileAccess::check(const std::filesystem::path &path) const
+{
+    return read(path).transform([](const std::string &) { });
+}
+
+std::expected<void, std::string> DiskFiles::check(const std::filesystem::path &path) const
+{
+    return open(path).transform([](const RegularFile &) { });
+}
+
+std::expected<std::string, std::string> DiskFiles::read(const std::filesystem::path &path) const
+{
+    const auto opened = open(path);
+    if (!opened) {
+        return std::unexpected(opened.error());
+    }
+    const Descriptor &file = opened->descriptor;
 
     // The size is a hint: a file may grow or shrink while it is read.
     std::string bytes;
     std::size_t used = 0;
-    bytes.resize(static_cast<std::size_t>(status.st_size) + 1);
+    bytes.resize(static_cast<std::size_t>(opened->size) + 1);
     while (true) {
         const ssize_t got = ::read(file, bytes.data() + used, bytes.size() - used);
         if (got < 0 && errno == EINTR) {

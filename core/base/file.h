@@ -17,6 +17,9 @@ public:
 
     /// The whole file as bytes, or a phrase that completes "cannot read …: " ("no such file").
     [[nodiscard]] virtual std::expected<std::string, std::string> read(const std::filesystem::path &path) const = 0;
+
+    /// Whether read() finds a file there, or what it would say. Unless a class knows better it reads the file.
+    [[nodiscard]] virtual std::expected<void, std::string> check(const std::filesystem::path &path) const;
 };
 
 /// Regular files of the disk. Everything else (a directory, a device, a pipe) is refused before it is opened for
@@ -25,6 +28,7 @@ class DiskFiles final : public FileAccess
 {
 public:
     [[nodiscard]] std::expected<std::string, std::string> read(const std::filesystem::path &path) const override;
+    [[nodiscard]] std::expected<void, std::string> check(const std::filesystem::path &path) const override;
 };
 
 }

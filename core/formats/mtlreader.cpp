@@ -181,13 +181,6 @@ bool MtlReader::isAtNumber()
 
 }
 
-const MtlResult::Entry *MtlResult::find(std::string_view name) const
-{
-    const auto found =
-        std::ranges::find(materials, name, [](const Entry &entry) -> std::string_view { return entry.material.name; });
-    return found == materials.end() ? nullptr : &*found;
-}
-
 MtlResult readMtl(std::string_view text)
 {
     return MtlReader(text).read();

@@ -10,7 +10,7 @@
 
 namespace romanesco {
 
-/// The materials of an MTL text in its order, beside what is wrong with it.
+/// The materials of an MTL text in its order (of two of one name the first counts), beside what is wrong with it.
 struct MtlResult {
     struct Entry {
         /// Its diffuseTexture is relative to the MTL file, with "/" for each "\".
@@ -20,9 +20,6 @@ struct MtlResult {
     };
     std::vector<Entry> materials;
     Diagnostics diagnostics;
-
-    /// The first of that name, else nullptr. Linear.
-    [[nodiscard]] const Entry *find(std::string_view name) const;
 };
 
 /// Reads a Wavefront MTL text. All of a line behind `newmtl` is a material's name, blanks and all; of what follows it

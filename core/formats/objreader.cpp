@@ -390,7 +390,7 @@ void ObjReader::readLibraries()
         do {
             end = std::min(rest.find_first_of(" \t", end + 1), rest.size());
         } while (end < rest.size() && !hasEnding(rest.substr(begin, end - begin), ".mtl"));
-        m_result.libraries.push_back({std::string(rest.substr(begin, end - begin)), statement()});
+        m_result.sources.libraries.push_back({std::string(rest.substr(begin, end - begin)), statement()});
         begin = std::min(rest.find_first_not_of(" \t", end), rest.size());
     }
 }
@@ -414,7 +414,7 @@ void ObjReader::finish()
         m_mesh.normals = {};
     }
     m_parts.nameParts(m_mesh);
-    m_result.materialPlaces = m_parts.materialPlaces();
+    m_result.sources.materialPlaces = m_parts.materialPlaces();
     m_slips.report(m_result.diagnostics);
     sortByPlace(m_result.diagnostics);
 }

@@ -18,14 +18,18 @@ struct ObjResult {
     /// Sorted by place; at most one error.
     Diagnostics diagnostics;
 
-    struct Library {
-        std::string name;
-        SourceRange place;
+    /// What leads to the looks of mesh.materials, which only have names yet.
+    struct Sources {
+        struct Library {
+            std::string name;
+            SourceRange place;
+        };
+        /// The files that `mtllib` names, in order.
+        std::vector<Library> libraries;
+        /// Beside mesh.materials: the `usemtl` of the first face that has it.
+        std::vector<SourceRange> materialPlaces;
     };
-    /// The files that `mtllib` names, in order.
-    std::vector<Library> libraries;
-    /// Beside mesh.materials: the name where faces first use it.
-    std::vector<SourceRange> materialPlaces;
+    Sources sources;
 };
 
 /// Reads the faces of a Wavefront OBJ text (appendix B1 of the Advanced Visualizer manual) and what belongs to them:

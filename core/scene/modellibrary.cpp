@@ -4,60 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <format>
+#include <iterator>
 
 #include "core/formats/fdoreader.h"
 #include "core/formats/lineparser.h"
 #include "core/formats/objreader.h"
 #include "core/fractal/extent.h"
-#include "core/text/linemap.h"
+#include "meshlooks.h"
 
 namespace romanesco {
 
 namespace {
 
-constexpr std::size_t mostNotes = 10;
-
-/// Errors of a text become one sentence and a note for each of the first.
-FileTrouble troubleOf(const Diagnostics &diagnostics, std::string_view text)
-{
-    const LineMap lines(text);
-    FileTrouble trouble{DiagnosticCode::BadMesh, {}, {}};
-    std::size_t errors = 0;
-    for (const Diagnostic &diagnostic : diagnostics) {
-        if (!diagnostic.isError() || ++errors > mostNotes) {
-            continue;
-        }
-        const TextPosition at = lines.position(diagnostic.range.begin);
-        trouble.notes.push_back({diagnostic.code, diagnostic.range, diagnostic.arguments, {}, at});
-        if (errors == 1) {
-            trouble.reason = std::format("line {}, column {}: {}", at.line, at.column, diagnostic.message());
-        }
-        std::ranges::copy_if(diagnostic.notes, std::back_inserter(trouble.notes),
-                             [](const Note &note) { return !note.file.empty(); });
-    }
-    if (errors > 1) {
-        trouble.reason = std::format("{} errors, the first in {}", errors, trouble.reason);
-    }
-    return trouble;
-}
-
-}
-
-Diagnostic remark(const FileTrouble &trouble, const std::string &name, SourceRange place)
-{
-    Diagnostic diagnostic{trouble.code, place, {name, trouble.reason}, {}, trouble.notes};
-    if (trouble.code == DiagnosticCode::MeshWithoutFaces) {
-        diagnostic.arguments = {'"' + name + '"'};
-    } else if (trouble.code == DiagnosticCode::Overflow) {
-        diagnostic.arguments.clear();
-    }
-    for (Note &note : diagnostic.notes) {
-        note.file = seenFrom(name, note.file);
-    }
-    return diagnostic;
-}
-
+/// Nothing where it reaches beyond what can be computed with.
 std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
 {
     const Sphere base = boundingSphere(*mesh);
@@ -67,6 +26,8 @@ std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
     FractalGraph graph = FractalGraph::ofMesh(base);
     const Box box = extent(graph, *mesh);
     return std::make_shared<const Model>(Model{std::move(mesh), std::move(graph), box, {}});
+}
+
 }
 
 ModelLibrary::ModelLibrary(const FileAccess &files)
@@ -100,6 +61,7 @@ ModelLibrary::Entry &ModelLibrary::entry(const std::filesystem::path &path)
     entry.isUsed = true;
     entry.isRead = text.has_value();
     entry.trouble.reset();
+    entry.hasLooks = false;
     if (text) {
         entry.text = std::move(*text);
     } else {
@@ -108,57 +70,106 @@ ModelLibrary::Entry &ModelLibrary::entry(const std::filesystem::path &path)
     return entry;
 }
 
-std::expected<std::shared_ptr<const Mesh>, FileTrouble> ModelLibrary::mesh(const std::filesystem::path &path)
+ModelLibrary::MeshResult ModelLibrary::mesh(const std::filesystem::path &path, const std::stop_token &stop)
 {
     Entry &file = entry(path);
     if (!file.mesh && !file.trouble) {
-        readMesh(file);
+        readMesh(file, path.parent_path(), stop);
+    } else if (file.mesh && !file.hasLooks) {
+        renewLooks(file, path.parent_path());
     }
-    if (file.mesh) {
-        return file.mesh;
-    }
-    return std::unexpected(*file.trouble);
+    return {file.mesh, file.mesh ? file.remarks : file.trouble};
 }
 
-void ModelLibrary::readMesh(Entry &entry)
+void ModelLibrary::readMesh(Entry &entry, const std::filesystem::path &folder, const std::stop_token &stop)
 {
-    ObjResult read = readObj(entry.text);
+    ObjResult read = readObj(entry.text, stop);
+    if (stop.stop_requested()) {
+        return;
+    }
     if (hasErrors(read.diagnostics)) {
         entry.trouble = troubleOf(read.diagnostics, entry.text);
     } else if (read.mesh.faces.empty()) {
         entry.trouble = FileTrouble{DiagnosticCode::MeshWithoutFaces, {}, {}};
     } else {
+        entry.sources = std::move(read.sources);
+        entry.warnings = std::move(read.diagnostics);
+        read.mesh.materials = findLooks(entry, folder, read.mesh.materials);
         entry.mesh = std::make_shared<const Mesh>(std::move(read.mesh));
     }
+}
+
+/// The files that describe materials may have changed where the mesh has not.
+void ModelLibrary::renewLooks(Entry &entry, const std::filesystem::path &folder)
+{
+    std::vector<Material> materials = findLooks(entry, folder, entry.mesh->materials);
+    if (materials != entry.mesh->materials) {
+        Mesh mesh = *entry.mesh;
+        mesh.materials = std::move(materials);
+        entry.mesh = std::make_shared<const Mesh>(std::move(mesh));
+        entry.model.reset();
+    }
+}
+
+std::vector<Material> ModelLibrary::findLooks(Entry &entry, const std::filesystem::path &folder,
+                                              const std::vector<Material> &named)
+{
+    MeshLooks looks = looksOf(m_files, folder, named, entry.sources);
+    Diagnostics all = entry.warnings;
+    std::ranges::move(looks.diagnostics, std::back_inserter(all));
+    sortByPlace(all);
+    entry.remarks = all.empty() ? std::nullopt : std::optional(remarksOf(all, entry.text));
+    entry.hasLooks = true;
+    return std::move(looks.materials);
 }
 
 ModelLibrary::ModelResult ModelLibrary::model(const std::filesystem::path &path, const std::stop_token &stop)
 {
     Entry &file = entry(path);
-    if (!file.trouble) {
-        if (hasEnding(path.generic_string(), ".obj")) {
-            if (const auto made = mesh(path); made && !file.model) {
-                file.model = modelOfMesh(*made);
-                if (!file.model) {
-                    file.trouble = FileTrouble{DiagnosticCode::Overflow, {}, {}};
-                }
-            }
-        } else {
+    if (!hasEnding(path.generic_string(), ".obj")) {
+        if (!file.trouble) {
             readFractal(file, path.parent_path(), stop);
         }
+        return {file.model, file.trouble};
     }
-    if (file.trouble) {
-        return std::unexpected(*file.trouble);
+    const MeshResult made = mesh(path, stop);
+    if (made.mesh && !file.model) {
+        file.model = modelOfMesh(made.mesh);
+        if (!file.model) {
+            return {nullptr, FileTrouble{DiagnosticCode::Overflow, {}, {}}};
+        }
     }
-    return file.model;
+    return {file.model, made.trouble};
+}
+
+ModelLibrary::TextResult ModelLibrary::object(const std::filesystem::path &folder, std::string_view text,
+                                              const std::stop_token &stop)
+{
+    ObjResult read = readObj(text, stop);
+    TextResult result{std::move(read.diagnostics), nullptr};
+    if (hasErrors(result.diagnostics) || stop.stop_requested()) {
+        return result;
+    }
+    if (read.mesh.faces.empty()) {
+        result.diagnostics.push_back({DiagnosticCode::MeshWithoutFaces, {0, 0}, {"the mesh"}});
+        return result;
+    }
+    MeshLooks looks = looksOf(m_files, folder, read.mesh.materials, read.sources);
+    read.mesh.materials = std::move(looks.materials);
+    std::ranges::move(looks.diagnostics, std::back_inserter(result.diagnostics));
+    result.model = modelOfMesh(std::make_shared<const Mesh>(std::move(read.mesh)));
+    if (!result.model) {
+        result.diagnostics.push_back({DiagnosticCode::Overflow, {0, 0}, {}});
+    }
+    sortByPlace(result.diagnostics);
+    return result;
 }
 
 /// What was made of a text stays good while the mesh that it names does.
 void ModelLibrary::readFractal(Entry &entry, const std::filesystem::path &folder, const std::stop_token &stop)
 {
     if (entry.model) {
-        const auto known = mesh(folder / entry.model->meshPath);
-        if (known && *known == entry.model->mesh) {
+        if (mesh(folder / entry.model->meshPath, stop).mesh == entry.model->mesh) {
             return;
         }
         entry.model.reset();
@@ -178,23 +189,24 @@ ModelLibrary::Fractal ModelLibrary::fractal(const std::filesystem::path &folder,
     Fractal result;
     result.diagnostics = std::move(read.diagnostics);
     if (!read.description || stop.stop_requested()) {
-        checkMeshes(syntax, folder, result.diagnostics);
+        checkMeshes(syntax, folder, result.diagnostics, stop);
         sortByPlace(result.diagnostics);
         return result;
     }
     const FractalDescription &description = *read.description;
     result.depth = description.depth;
     result.namesItsMesh = true;
-    const auto base = mesh(folder / description.meshPath);
-    if (!base) {
-        result.diagnostics.push_back(remark(base.error(), description.meshPath, description.meshRange));
-    } else if (!stop.stop_requested()) {
-        auto graph = FractalGraph::build(description, boundingSphere(**base));
+    const auto [base, trouble] = mesh(folder / description.meshPath, stop);
+    if (trouble) {
+        result.diagnostics.push_back(remark(*trouble, description.meshPath, description.meshRange));
+    }
+    if (base && !stop.stop_requested()) {
+        auto graph = FractalGraph::build(description, boundingSphere(*base));
         if (!graph) {
             result.diagnostics.push_back({DiagnosticCode::Overflow, graph.error(), {}});
         } else if (!stop.stop_requested() && !hasErrors(result.diagnostics)) {
-            const Box box = extent(*graph, **base);
-            result.model = std::make_shared<const Model>(Model{*base, std::move(*graph), box, description.meshPath});
+            const Box box = extent(*graph, *base);
+            result.model = std::make_shared<const Model>(Model{base, std::move(*graph), box, description.meshPath});
         }
     }
     sortByPlace(result.diagnostics);
@@ -202,17 +214,18 @@ ModelLibrary::Fractal ModelLibrary::fractal(const std::filesystem::path &folder,
 }
 
 /// Of a text with errors nobody knows which mesh it needs, and all that is wrong is to be told at once.
-void ModelLibrary::checkMeshes(const FdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics)
+void ModelLibrary::checkMeshes(const FdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics,
+                               const std::stop_token &stop)
 {
-    for (std::size_t line = 0; line < syntax.lineCount(); ++line) {
+    for (std::size_t line = 0; line < syntax.lineCount() && !stop.stop_requested(); ++line) {
         const auto *object = std::get_if<ObjectDeclaration>(&syntax.line(line).declaration);
         if (!object || !object->value.isMesh || syntax.line(line).isBad) {
             continue;
         }
         const LineRange quoted = object->value.inner.range;
         const std::string path(unquoted(syntax.words(line, quoted)));
-        if (const auto base = mesh(folder / path); !base) {
-            diagnostics.push_back(remark(base.error(), path, syntax.range(line, quoted)));
+        if (const auto trouble = mesh(folder / path, stop).trouble) {
+            diagnostics.push_back(remark(*trouble, path, syntax.range(line, quoted)));
         }
     }
 }

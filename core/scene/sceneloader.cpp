@@ -2,39 +2,13 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "sceneloader.h"
 
+#include <set>
 #include <utility>
 
 #include "core/formats/lineparser.h"
-#include "core/formats/objreader.h"
 #include "core/formats/sdoreader.h"
 
 namespace romanesco {
-
-namespace {
-
-SceneResult loadObj(std::string_view text)
-{
-    ObjResult read = readObj(text);
-    SceneResult result{std::move(read.diagnostics), nullptr};
-    if (hasErrors(result.diagnostics)) {
-        return result;
-    }
-    if (read.mesh.faces.empty()) {
-        result.diagnostics.push_back({DiagnosticCode::MeshWithoutFaces, {0, 0}, {"the mesh"}});
-        return result;
-    }
-    auto model = modelOfMesh(std::make_shared<const Mesh>(std::move(read.mesh)));
-    if (!model) {
-        result.diagnostics.push_back({DiagnosticCode::Overflow, {0, 0}, {}});
-        return result;
-    }
-    Scene scene = sceneOf(std::move(model));
-    scene.items.front().kind = SceneDescription::Kind::Object;
-    result.scene = std::make_shared<const Scene>(std::move(scene));
-    return result;
-}
-
-}
 
 FileKind fileKind(const std::filesystem::path &path)
 {
@@ -55,7 +29,7 @@ SceneResult SceneLoader::load(const std::filesystem::path &path, std::string_vie
     m_library.beginRound();
     switch (fileKind(path)) {
     case FileKind::Obj:
-        return loadObj(text);
+        return loadObj(path.parent_path(), text, stop);
     case FileKind::Sdo:
         return loadSdo(path.parent_path(), text, stop);
     case FileKind::Fdo:
@@ -63,6 +37,19 @@ SceneResult SceneLoader::load(const std::filesystem::path &path, std::string_vie
         break;
     }
     return loadFdo(path.parent_path(), text, stop);
+}
+
+SceneResult SceneLoader::loadObj(const std::filesystem::path &folder, std::string_view text,
+                                 const std::stop_token &stop)
+{
+    ModelLibrary::TextResult object = m_library.object(folder, text, stop);
+    SceneResult result{std::move(object.diagnostics), nullptr};
+    if (object.model) {
+        Scene scene = sceneOf(std::move(object.model));
+        scene.items.front().kind = SceneDescription::Kind::Object;
+        result.scene = std::make_shared<const Scene>(std::move(scene));
+    }
+    return result;
 }
 
 SceneResult SceneLoader::loadFdo(const std::filesystem::path &folder, std::string_view text,
@@ -94,17 +81,21 @@ SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::strin
     }
     const SceneDescription &description = *read.description;
     Scene scene;
+    std::set<std::string> remarked;
     for (const SceneDescription::Item &item : description.items) {
-        const ModelLibrary::ModelResult model =
-            stop.stop_requested() ? nullptr : m_library.model(folder / item.path, stop);
-        if (!model) {
-            result.diagnostics.push_back(remark(model.error(), item.path, item.pathRange));
+        const auto [model, trouble] =
+            stop.stop_requested() ? ModelLibrary::ModelResult() : m_library.model(folder / item.path, stop);
+        // an error at each place, a warning once
+        if (trouble && (!model || remarked.insert(item.path).second)) {
+            result.diagnostics.push_back(remark(*trouble, item.path, item.pathRange));
+        }
+        if (!model && trouble) {
             continue;
         }
-        if (!*model) {
+        if (!model) {
             return result;
         }
-        const SceneItem placed{*model, item.worldFromModel, item.kind, item.path, item.restitution, item.velocity};
+        const SceneItem placed{model, item.worldFromModel, item.kind, item.path, item.restitution, item.velocity};
         const Sphere bound = boundingSphere(placed);
         if (!isComputable(bound.centre, bound.radius)) {
             result.diagnostics.push_back({DiagnosticCode::Overflow, item.pathRange, {}});
@@ -135,8 +126,8 @@ void SceneLoader::checkFiles(const SdoSyntax &syntax, const std::filesystem::pat
             continue;
         }
         const std::string path(unquoted(syntax.words(line, file->path)));
-        if (const ModelLibrary::ModelResult model = m_library.model(folder / path, stop); !model) {
-            diagnostics.push_back(remark(model.error(), path, syntax.range(line, file->path)));
+        if (const auto trouble = m_library.model(folder / path, stop).trouble) {
+            diagnostics.push_back(remark(*trouble, path, syntax.range(line, file->path)));
         }
     }
 }

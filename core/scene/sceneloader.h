@@ -23,7 +23,7 @@ enum class FileKind { Fdo, Sdo, Obj, Other };
 /// A scene, or what keeps its text from being one.
 struct SceneResult {
     /// Of the text that was loaded, sorted by place. What is wrong with a file that it names is an error at the place of
-    /// the name, with notes that lead into the file.
+    /// the name, with notes that lead into the file; so are warnings of a mesh or its materials a warning there.
     Diagnostics diagnostics;
     /// Null after errors, and when stopped.
     std::shared_ptr<const Scene> scene;
@@ -44,6 +44,8 @@ public:
 private:
     void checkFiles(const SdoSyntax &syntax, const std::filesystem::path &folder, Diagnostics &diagnostics,
                     const std::stop_token &stop);
+    [[nodiscard]] SceneResult loadObj(const std::filesystem::path &folder, std::string_view text,
+                                      const std::stop_token &stop);
     [[nodiscard]] SceneResult loadFdo(const std::filesystem::path &folder, std::string_view text,
                                       const std::stop_token &stop);
     [[nodiscard]] SceneResult loadSdo(const std::filesystem::path &folder, std::string_view text,

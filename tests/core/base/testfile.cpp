@@ -67,6 +67,7 @@ void TestFile::regularFilesAreReadWhole()
     const auto read = m_files.read(path("file"));
     QVERIFY(read.has_value());
     QVERIFY(QByteArray::fromStdString(*read) == bytes);
+    QVERIFY(m_files.check(path("file")).has_value());
 }
 
 void TestFile::linksToFilesAreFollowed()
@@ -113,9 +114,13 @@ void TestFile::allElseIsRefusedWithItsReason()
     QCOMPARE(::symlink("/dev/zero", path("device link").c_str()), 0);
     QCOMPARE(::symlink("loop", path("loop").c_str()), 0);
     QCOMPARE(::symlink("nowhere", path("dangling").c_str()), 0);
-    const auto read = m_files.read(kind.isEmpty() ? std::filesystem::path() : path(kind.toUtf8().constData()));
+    const auto place = kind.isEmpty() ? std::filesystem::path() : path(kind.toUtf8().constData());
+    const auto read = m_files.read(place);
     QVERIFY(!read.has_value());
     QTEST(QString::fromStdString(read.error()), "reason");
+    const auto check = m_files.check(place);
+    QVERIFY(!check.has_value());
+    QTEST(QString::fromStdString(check.error()), "reason");
 }
 
 void TestFile::unreadableFilesAreRefused()

@@ -63,7 +63,6 @@ private Q_SLOTS:
     void materials_data();
     void materials();
     void texturesHavePlaces();
-    void theFirstOfAName();
     void errorsNameTheirPlace_data();
     void errorsNameTheirPlace();
 };
@@ -121,14 +120,6 @@ void TestMtlReader::texturesHavePlaces()
     const SourceRange place = result.materials.at(0).texturePlace;
     QCOMPARE(QString::fromStdString(text.substr(place.begin, place.length())), QStringLiteral("my a.png"));
     QCOMPARE(result.materials.at(1).texturePlace.length(), 0u);
-}
-
-void TestMtlReader::theFirstOfAName()
-{
-    const MtlResult result = readMtl("newmtl a\nd 0.25\nnewmtl b\nnewmtl a\nd 0.5\n");
-    QVERIFY(result.find("a") == &result.materials[0]);
-    QVERIFY(result.find("b") == &result.materials[1]);
-    QVERIFY(result.find("c") == nullptr);
 }
 
 void TestMtlReader::errorsNameTheirPlace_data()

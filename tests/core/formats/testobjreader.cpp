@@ -274,10 +274,10 @@ void TestObjReader::placesLeadToTheMaterials()
     const std::string text =
         square.toStdString() + "usemtl n\nusemtl m\nf 1 2 3\nusemtl n\nf 1 2 3\nusemtl m\nf 1 2 3\n";
     const ObjResult result = readObj(text);
-    QCOMPARE(result.materialPlaces.size(), result.mesh.materials.size());
+    QCOMPARE(result.sources.materialPlaces.size(), result.mesh.materials.size());
     QStringList places;
-    for (std::size_t i = 0; i < result.materialPlaces.size(); ++i) {
-        const SourceRange place = result.materialPlaces[i];
+    for (std::size_t i = 0; i < result.sources.materialPlaces.size(); ++i) {
+        const SourceRange place = result.sources.materialPlaces[i];
         places.push_back(QString::number(LineMap(text).position(place.begin).line) + QLatin1Char(' ')
                          + QString::fromStdString(text.substr(place.begin, place.length())));
     }
@@ -310,7 +310,7 @@ void TestObjReader::librariesAreNamed()
     const std::string bytes = text.toStdString();
     const ObjResult result = readObj(bytes);
     QStringList names;
-    for (const ObjResult::Library &library : result.libraries) {
+    for (const ObjResult::Sources::Library &library : result.sources.libraries) {
         names.push_back(QString::fromStdString(library.name));
         QVERIFY(bytes.substr(library.place.begin).starts_with("mtllib"));
     }

@@ -29,6 +29,7 @@ public:
     }
 
     void put(const std::string &path, const std::string &text) { m_files[path] = text; }
+    void remove(const std::string &path) { m_files.erase(path); }
     [[nodiscard]] int reads() const { return m_reads; }
 
 private:
