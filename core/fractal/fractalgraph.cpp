@@ -26,7 +26,7 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     graph.classifyMaps();
     graph.findEqualSets();
     graph.findLastFixedLevel();
-    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_facts, base);
+    graph.m_bounds = SphereBounds(graph, base);
 
     const Sphere whole = graph.bound(0);
     if (std::isfinite(whole.radius) && std::isfinite(whole.radius * whole.radius)) {
@@ -65,7 +65,7 @@ FractalGraph FractalGraph::ofMesh(const Sphere &base)
 {
     FractalGraph graph;
     graph.m_levels = LevelSequence::Builder().build();
-    graph.m_bounds = SphereBounds(graph.m_levels, graph.m_sets, graph.m_facts, base);
+    graph.m_bounds = SphereBounds(graph, base);
     return graph;
 }
 

@@ -8,19 +8,19 @@
 
 #include <glm/geometric.hpp>
 
+#include "fractalgraph.h"
+#include "levelruns.h"
+
 namespace romanesco {
 
 namespace {
 
 using Growth = SphereBounds::Growth;
+using Node = BoundLayout::Node;
 using Slot = LevelSequence::Slot;
+using Stretch = BoundLayout::Stretch;
 
-/// A position has a sphere of its own until the levels after it have shrunk the rest to this part of it.
-constexpr double sharedFrom = 1.0 / 128.0;
-/// Never more spheres than these.
-constexpr Position longestContractingTail = 4'096;
-constexpr Position longestTail = 65'536;
-/// Nor longer than a second or so of work: maps looked at, each some hundred distances.
+/// Bounds the work of the rounds that find invariant spheres: maps looked at in all, each some ten distances.
 constexpr std::size_t mostMaps = 1'000'000;
 
 Growth composed(const Growth &outer, const Growth &inner)
@@ -42,7 +42,7 @@ Growth power(Growth growth, std::uint64_t exponent)
 
 double reachOf(const Sphere &sphere)
 {
-    return glm::length(sphere.centre) + sphere.radius;
+    return sphere.isEmpty() ? 0.0 : glm::length(sphere.centre) + sphere.radius;
 }
 
 }
@@ -50,160 +50,104 @@ double reachOf(const Sphere &sphere)
 class SphereBounds::Builder
 {
 public:
-    Builder(const LevelSequence &levels, const std::vector<TransformSet> &sets,
-            const std::vector<std::vector<MapFacts>> &facts, const Sphere &base)
-        : m_levels(levels)
-        , m_sets(sets)
-        , m_facts(facts)
-        , m_base(base)
+    Builder(const FractalGraph &graph, const Sphere &base)
+        : m_graph(graph)
+        , m_layout(graph)
     {
+        m_bounds.m_spheres.front() = base;
     }
 
     SphereBounds build()
     {
-        m_bounds.m_tail.front() = m_base;
-        const Position count = m_levels.levelCount();
-        findLargestNorms();
-        const Position own = contractingTail();
-        const bool hasInvariant = own < std::min(count, longestContractingTail) && findInvariant();
-        buildTail(hasInvariant ? own : std::min(count, longestTail));
-        if (!hasInvariant) {
-            m_bounds.m_invariant.clear();
-            if (count >= m_bounds.m_tail.size()) {
-                buildGrowth();
+        for (std::size_t stretch = 0; stretch < m_layout.stretchCount(); ++stretch) {
+            m_layout.begin(stretch);
+            addOwn(stretch);
+            if (!m_layout.isWhole(stretch) && !addShared(stretch)) {
+                addGrown(stretch);
             }
         }
+        m_bounds.m_layout = std::move(m_layout).build();
         return std::move(m_bounds);
     }
 
 private:
-    const TransformSet &setAt(Slot slot) const { return m_sets[m_levels.set(slot)]; }
-    const std::vector<MapFacts> &factsAt(Slot slot) const { return m_facts[m_levels.set(slot)]; }
-
-    void findLargestNorms()
+    /// Until the levels have shrunk what the stretch is made of to little of their own size, or to nearly nothing.
+    void addOwn(std::size_t stretch)
     {
-        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
-            const std::vector<MapFacts> &facts = factsAt(slot);
-            m_largestNorm.push_back(facts.empty() ? 1.0 : std::ranges::max(facts, {}, &MapFacts::norm).norm);
-            m_mapCount += facts.size();
+        constexpr double little = 1.0 / 128.0;
+        constexpr double nearlyNothing = 1e-12;
+        const Stretch &place = m_layout.layout().stretches()[stretch];
+        const double whole = m_bounds.m_spheres[place.exit].radius;
+        const bool maySettle = m_layout.contracts(stretch);
+        double left = 1.0;
+        while (m_layout.canAddOwn(stretch)) {
+            const double size = m_bounds.m_spheres[place.entry].radius;
+            if (maySettle && (left * whole <= little * size || left <= nearlyNothing)) {
+                break;
+            }
+            left *= m_layout.addOwn(stretch);
+            const std::vector<Sphere> &content = contentOf(nextNode());
+            m_bounds.m_spheres.push_back(content.size() == 1 ? content.front() : enclosingSphere(content));
         }
     }
 
-    /// How many levels at the end keep spheres of their own.
-    Position contractingTail() const
-    {
-        const Position count = m_levels.levelCount();
-        double size = 1.0;
-        Position remaining = 0;
-        while (remaining < count && remaining < longestContractingTail && size > sharedFrom) {
-            ++remaining;
-            size *= m_largestNorm[m_levels.locate(count - remaining).slot];
-        }
-        return remaining;
-    }
+    [[nodiscard]] Node nextNode() const { return static_cast<Node>(m_bounds.m_spheres.size()); }
 
-    /// A sphere round the maps of a level applied to the sphere after it.
-    Sphere oneLevelUp(Slot slot, const Sphere &next)
+    /// What the sphere of a node must hold: for each of its steps the maps of the next sphere, and that sphere itself
+    /// where the level may be passed over.
+    const std::vector<Sphere> &contentOf(Node node)
     {
-        const TransformSet &set = setAt(slot);
-        const std::vector<MapFacts> &facts = factsAt(slot);
-        m_spheres.clear();
-        for (std::size_t i = 0; i < set.maps.size(); ++i) {
-            m_spheres.push_back(transformed(set.maps[i], facts[i].norm, next));
+        m_content.clear();
+        for (const auto &[slot, next] : m_layout.layout().steps(node)) {
+            const SetId id = m_graph.levels().set(slot);
+            const TransformSet &set = m_graph.set(id);
+            const Sphere &sphere = m_bounds.m_spheres[next];
+            for (std::size_t i = 0; i < set.maps.size(); ++i) {
+                m_content.push_back(transformed(set.maps[i], m_graph.facts(id)[i].norm, sphere));
+            }
+            if (set.holdsIdentity && next != node) {
+                m_content.push_back(sphere);
+            }
         }
-        if (set.holdsIdentity) {
-            m_spheres.push_back(next);
-        }
-        return m_spheres.size() == 1 ? m_spheres.front() : enclosingSphere(m_spheres);
-    }
-
-    void buildTail(Position length)
-    {
-        const Position count = m_levels.levelCount();
-        std::size_t looked = 0;
-        for (Position remaining = 1; remaining <= length && looked <= mostMaps; ++remaining) {
-            const Slot slot = m_levels.locate(count - remaining).slot;
-            m_bounds.m_tail.push_back(oneLevelUp(slot, m_bounds.m_tail.back()));
-            looked += factsAt(slot).size();
-        }
+        return m_content;
     }
 
     // ---- The invariant
 
-    /// Slots that can reach one another by passing levels over are bounded alike: all slots of a repeat in which every
-    /// level holds `#`. The first slot of the outermost such repeat stands for them.
-    void groupSlots()
+    bool addShared(std::size_t stretch)
     {
-        m_group.resize(m_levels.slotCount());
-        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
-            m_group[slot] = slot;
+        if (!m_layout.contracts(stretch)) {
+            return false;
         }
-        const std::vector<LevelSequence::Repeat> &repeats = m_levels.repeats();
-        for (std::size_t i = repeats.size(); i-- > 1;) { // inner repeats first, so that the outermost has its say last
-            Slot slot = repeats[i].firstSlot;
-            while (slot < repeats[i].endSlot && setAt(slot).holdsIdentity) {
-                ++slot;
-            }
-            if (repeats[i].count > 1 && slot == repeats[i].endSlot) {
-                std::fill(m_group.begin() + repeats[i].firstSlot, m_group.begin() + slot, repeats[i].firstSlot);
-            }
+        const Node first = nextNode();
+        const Node before = first - 1;
+        m_layout.addShared(stretch);
+        m_bounds.m_spheres.resize(m_layout.layout().nodeCount(), m_bounds.m_spheres[before]);
+        const bool isFound = findInvariant(std::span(m_bounds.m_spheres).subspan(first), first);
+        if (!isFound) {
+            m_bounds.m_spheres.resize(first);
         }
-    }
-
-    const Sphere &sphereAt(Slot slot) const
-    {
-        return slot == m_levels.slotCount() ? m_base : m_bounds.m_invariant[m_group[slot]];
-    }
-
-    /// What the sphere of a group must hold: for each of its slots and what may follow it, the maps of the next sphere,
-    /// and that sphere itself where the level may be passed over.
-    const std::vector<Sphere> &contentOf(Slot first)
-    {
-        m_spheres.clear();
-        for (Slot slot = first; slot < m_levels.slotCount() && m_group[slot] == first; ++slot) {
-            const TransformSet &set = setAt(slot);
-            for (const Slot successor : m_levels.successors(slot)) {
-                const Sphere &next = sphereAt(successor);
-                for (std::size_t i = 0; i < set.maps.size(); ++i) {
-                    m_spheres.push_back(transformed(set.maps[i], factsAt(slot)[i].norm, next));
-                }
-                const bool isOther = successor == m_levels.slotCount() || m_group[successor] != first;
-                if (set.holdsIdentity && isOther) {
-                    m_spheres.push_back(next);
-                }
-            }
-        }
-        return m_spheres;
-    }
-
-    /// Calls visit(slot) for the slot that stands for each group, the last first.
-    template<typename Visit>
-    void forEachGroup(Visit visit)
-    {
-        for (Slot slot = m_levels.slotCount(); slot-- > 0;) {
-            if (m_group[slot] == slot) {
-                visit(slot);
-            }
-        }
+        return isFound;
     }
 
     /// Centres by iterating the content until they settle; radii for those centres by iterating the largest reach; then
     /// a margin, until each holds its content as it stands.
-    bool findInvariant()
+    bool findInvariant(std::span<Sphere> spheres, Node first)
     {
-        groupSlots();
-        std::vector<Sphere> &spheres = m_bounds.m_invariant;
-        spheres.assign(m_levels.slotCount(), m_base);
-        const int rounds = static_cast<int>(std::clamp<std::size_t>(mostMaps / (m_mapCount + 1), 4, 400));
+        std::size_t mapCount = 1;
+        for (Node node = first; node < nextNode(); ++node) {
+            mapCount += contentOf(node).size();
+        }
+        const int rounds = static_cast<int>(std::clamp<std::size_t>(mostMaps / mapCount, 4, 400));
         for (int round = 0; round < rounds; ++round) {
             double change = 0.0;
-            forEachGroup([&](Slot slot) {
-                const Sphere next = enclosingSphere(contentOf(slot));
+            for (std::size_t i = 0; i < spheres.size(); ++i) {
+                const Sphere next = enclosingSphere(contentOf(first + static_cast<Node>(i)));
                 const double moved =
-                    glm::distance(next.centre, spheres[slot].centre) + std::abs(next.radius - spheres[slot].radius);
+                    glm::distance(next.centre, spheres[i].centre) + std::abs(next.radius - spheres[i].radius);
                 change = std::max(change, moved / next.radius);
-                spheres[slot] = next;
-            });
+                spheres[i] = next;
+            }
             if (!std::isfinite(change)) {
                 return false;
             }
@@ -213,11 +157,11 @@ private:
         }
         for (int round = 0; round < rounds; ++round) {
             double change = 0.0;
-            forEachGroup([&](Slot slot) {
-                const double radius = enclosingRadius(spheres[slot].centre, contentOf(slot));
-                change = std::max(change, std::abs(radius - spheres[slot].radius) / radius);
-                spheres[slot].radius = radius;
-            });
+            for (std::size_t i = 0; i < spheres.size(); ++i) {
+                const double radius = enclosingRadius(spheres[i].centre, contentOf(first + static_cast<Node>(i)));
+                change = std::max(change, std::abs(radius - spheres[i].radius) / radius);
+                spheres[i].radius = radius;
+            }
             if (!(change > 1e-6)) {
                 break;
             }
@@ -226,10 +170,7 @@ private:
             for (Sphere &sphere : spheres) {
                 sphere.radius *= 1.0 + margin;
             }
-            if (settle()) {
-                for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
-                    spheres[slot] = spheres[m_group[slot]];
-                }
+            if (settle(spheres, first)) {
                 return true;
             }
         }
@@ -238,23 +179,23 @@ private:
 
     /// Enlarges what does not hold its content until all do. What `#` passes on unchanged leaves no room for rounding, so
     /// that a margin on all alike is not enough; what maps pass on has shrunk, so that this ends soon.
-    bool settle()
+    bool settle(std::span<Sphere> spheres, Node first)
     {
         constexpr int rounds = 64;
         for (int round = 0; round < rounds; ++round) {
             bool isSettled = true;
-            bool isFinite = true;
-            forEachGroup([&](Slot slot) {
-                Sphere &sphere = m_bounds.m_invariant[slot];
-                const double needed = enclosingRadius(sphere.centre, contentOf(slot));
-                isFinite = isFinite && std::isfinite(needed);
-                if (needed > sphere.radius) {
-                    sphere.radius = needed;
+            for (std::size_t i = 0; i < spheres.size(); ++i) {
+                const double needed = enclosingRadius(spheres[i].centre, contentOf(first + static_cast<Node>(i)));
+                if (!std::isfinite(needed)) {
+                    return false;
+                }
+                if (needed > spheres[i].radius) {
+                    spheres[i].radius = needed;
                     isSettled = false;
                 }
-            });
-            if (isSettled || !isFinite) {
-                return isFinite;
+            }
+            if (isSettled) {
+                return true;
             }
         }
         return false;
@@ -262,19 +203,35 @@ private:
 
     // ---- Growth
 
-    void buildGrowth()
+    void addGrown(std::size_t index)
     {
-        for (Slot slot = 0; slot < m_levels.slotCount(); ++slot) {
-            Growth growth{setAt(slot).holdsIdentity ? 1.0 : 0.0, 0.0};
-            for (std::size_t i = 0; i < setAt(slot).maps.size(); ++i) {
-                growth.factor = std::max(growth.factor, factsAt(slot)[i].norm);
-                growth.offset = std::max(growth.offset, glm::length(setAt(slot).maps[i].translation));
+        if (m_bounds.m_slotGrowth.empty()) {
+            findSlotGrowth();
+            findPassGrowth();
+        }
+        m_layout.addGrown(index);
+        const Stretch &stretch = m_layout.layout().stretches()[index];
+        m_bounds.m_spheres.push_back(m_bounds.grown(m_graph.levels(), stretch.begin, stretch));
+    }
+
+    void findSlotGrowth()
+    {
+        const LevelSequence &levels = m_graph.levels();
+        for (Slot slot = 0; slot < levels.slotCount(); ++slot) {
+            const TransformSet &set = m_graph.setAt(slot);
+            Growth growth{set.holdsIdentity ? 1.0 : 0.0, 0.0};
+            for (std::size_t i = 0; i < set.maps.size(); ++i) {
+                growth.factor = std::max(growth.factor, m_graph.facts(levels.set(slot))[i].norm);
+                growth.offset = std::max(growth.offset, glm::length(set.maps[i].translation));
             }
             m_bounds.m_slotGrowth.push_back(growth);
         }
+    }
 
+    void findPassGrowth()
+    {
         // Inner repeats have greater numbers than those round them.
-        const std::vector<LevelSequence::Repeat> &repeats = m_levels.repeats();
+        const std::vector<LevelSequence::Repeat> &repeats = m_graph.levels().repeats();
         m_bounds.m_passGrowth.resize(repeats.size());
         for (std::size_t i = repeats.size(); i-- > 0;) {
             Growth growth;
@@ -293,59 +250,41 @@ private:
         }
     }
 
-    const LevelSequence &m_levels;
-    const std::vector<TransformSet> &m_sets;
-    const std::vector<std::vector<MapFacts>> &m_facts;
-    const Sphere m_base;
+    const FractalGraph &m_graph;
+    BoundLayout::Builder m_layout;
     SphereBounds m_bounds;
-    std::vector<double> m_largestNorm;
-    std::size_t m_mapCount = 0;
-    std::vector<Slot> m_group;
-    std::vector<Sphere> m_spheres;
+    std::vector<Sphere> m_content;
 };
 
-SphereBounds::SphereBounds(const LevelSequence &levels, const std::vector<TransformSet> &sets,
-                           const std::vector<std::vector<MapFacts>> &facts, const Sphere &base)
-    : SphereBounds(Builder(levels, sets, facts, base).build())
+SphereBounds::SphereBounds(const FractalGraph &graph, const Sphere &base)
+    : SphereBounds(Builder(graph, base).build())
 {
 }
 
 Sphere SphereBounds::at(const LevelSequence &levels, Position position) const
 {
-    const Position remaining = levels.levelCount() - position;
-    if (remaining < m_tail.size()) {
-        return m_tail[remaining];
-    }
-    if (!m_invariant.empty()) {
-        return m_invariant[levels.locate(position).slot];
-    }
-    const Growth growth = growthFrom(levels, position);
-    const double radius = growth.factor * reachOf(base()) + growth.offset;
-    return {glm::dvec3(0.0), std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius * (1.0 + 1e-9)};
+    const std::optional<Node> node = m_layout.nodeAt(levels, position);
+    return node ? m_spheres[*node] : grown(levels, position, m_layout.stretchAt(position));
 }
 
-/// Walks from a position to the end: slots singly, inner repeats and the passes left of a repeat by powers.
-Growth SphereBounds::growthFrom(const LevelSequence &levels, Position position) const
+/// From a position to the end of its stretch: slots singly, passes of a repeat by powers.
+Sphere SphereBounds::grown(const LevelSequence &levels, Position position, const Stretch &stretch) const
 {
     Growth growth;
-    while (position < levels.levelCount()) {
-        const auto [slot, index, end] = levels.locate(position);
-        const LevelSequence::Repeat &repeat = levels.repeats()[index];
-        const Position left = end - position;
-        if (index != 0 && slot == repeat.firstSlot && left % repeat.passLength == 0) {
-            growth = composed(growth, power(m_passGrowth[index], left / repeat.passLength));
-            position = end;
-        } else {
-            growth = composed(growth, m_slotGrowth[slot]);
-            ++position;
-        }
+    for (const auto &[slot, repeat, passes] : runsBetween(levels, position, stretch.end)) {
+        growth = composed(growth, repeat == 0 ? m_slotGrowth[slot] : power(m_passGrowth[repeat], passes));
     }
-    return growth;
+    const Sphere &after = m_spheres[stretch.exit];
+    if (after.isEmpty()) {
+        return after;
+    }
+    const double radius = growth.factor * reachOf(after) + growth.offset;
+    return {glm::dvec3(0.0), std::isnan(radius) ? std::numeric_limits<double>::infinity() : radius * (1.0 + 1e-9)};
 }
 
 std::size_t SphereBounds::memoryUse() const
 {
-    return (m_tail.capacity() + m_invariant.capacity()) * sizeof(Sphere)
+    return m_layout.memoryUse() + m_spheres.capacity() * sizeof(Sphere)
         + (m_slotGrowth.capacity() + m_passGrowth.capacity()) * sizeof(Growth);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <array>
 #include <random>
 
 #include "core/geometry/affinemap.h"
@@ -57,6 +58,29 @@ inline naive::Fractal randomFractal(std::mt19937_64 &random, double largest)
             return fractal;
         }
     }
+}
+
+/// Several repeats, some of very many passes, and levels between them. Most maps contract; some only turn and move.
+inline naive::Fractal randomLongFractal(std::mt19937_64 &random)
+{
+    naive::Fractal fractal;
+    for (int i = 0; i < 4; ++i) {
+        fractal.maps.push_back(randomMap(random, std::array{0.3, 0.8, 0.97}[random() % 3]));
+        if (random() % 4 == 0) {
+            fractal.maps.back() = mapFromParts({uniform(random, -2, 2), 1, 0}, {0, uniform(random, -90, 90), 0},
+                                               {1, random() % 2 == 0 ? 1 : -1, 1});
+        }
+    }
+    fractal.sets = naive::randomSets(random, 4);
+    const std::uint64_t repeats = random() % 3 + 1;
+    for (std::uint64_t i = 0; i < repeats; ++i) {
+        const std::uint64_t count = std::array{3ull, 100ull, 1'000'000ull, 1'000'000'000'000ull}[random() % 4];
+        for (naive::Fractal::Item &item : naive::randomItems(random, fractal.sets.size(), 2, 4)) {
+            fractal.items.push_back(std::move(item));
+        }
+        fractal.items.push_back({count, 0, naive::randomItems(random, fractal.sets.size(), 1, 70)});
+    }
+    return fractal;
 }
 
 inline Mesh randomMesh(std::mt19937_64 &random)
