@@ -308,6 +308,26 @@ const std::string mirrors = "x. \"cube.obj\"\na 5 0 0\nb 0 5 0\nc -1 2 3\nd -2 -
 
 }
 
+namespace {
+
+/// Two items that fit by themselves and not together. Nobody should look at more than a copy.
+class ManySheared final : public CopySource
+{
+public:
+    [[nodiscard]] std::span<const Item> items() const override { return m_items; }
+    [[nodiscard]] std::expected<void, std::string> visit(std::size_t, const Visitor &visitor) const override
+    {
+        visitor({{glm::dmat3(1, 0, 0, 1, 1, 0, 0, 0, 1), glm::dvec3(0.0)}});
+        return {};
+    }
+
+private:
+    Mesh m_mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = {{0, 1, 2}}};
+    std::array<Item, 2> m_items{Item{&m_mesh, 50'000'000}, Item{&m_mesh, 50'000'000}};
+};
+
+}
+
 class TestGlbExport : public QObject
 {
     Q_OBJECT
@@ -415,6 +435,10 @@ void TestGlbExport::aMeshByItselfIsANode()
     QVERIFY(glb.isSound());
     QVERIFY(!glb.json.contains("extensionsUsed"));
     QCOMPARE(glb.json["nodes"].toArray().size(), 2);
+    const QJsonObject primitive = glb.at("meshes", 0)["primitives"].toArray()[0].toObject();
+    QCOMPARE(primitive["attributes"].toObject().keys(), QStringList("POSITION"));
+    const QJsonObject material = glb.at("materials", primitive["material"].toInteger(-1));
+    QCOMPARE(material["pbrMetallicRoughness"].toObject()["metallicFactor"].toDouble(1), 0.0);
     QVERIFY(areSame(glb.triangles(), rightHanded(*scene), 1e-5));
 }
 
@@ -469,7 +493,8 @@ void TestGlbExport::materialsAndTexturesAreEmbedded()
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.faces = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}};
-    mesh.materials.resize(2);
+    mesh.materials.resize(3);
+    mesh.materials[2].name = "of no face";
     mesh.materials[0].name = "bark \"old\"";
     mesh.materials[0].diffuse = {0.5F, 0.25F, 2.0F};
     mesh.materials[0].opacity = 0.5F;
@@ -477,7 +502,7 @@ void TestGlbExport::materialsAndTexturesAreEmbedded()
     mesh.materials[0].diffuseTexture = "bark.png";
     mesh.materials[1].name = "leaf";
     mesh.materials[1].diffuseTexture = "leaf.jpg";
-    mesh.parts = {{0, 0, Mesh::none, 0}, {1, 1, Mesh::none, 0}, {2, 0, Mesh::none, 0}};
+    mesh.parts = {{0, 0, Mesh::none, 0}, {1, 1, Mesh::none, 0}, {2, 2, Mesh::none, 0}, {2, 0, Mesh::none, 0}};
     const std::string png = "\x89PNG\r\n\x1A\n and so on";
     const TableFiles files({{"bark.png", png}, {"leaf.jpg", "\xFF\xD8\xFF!"}});
     StringSink sink;
@@ -540,6 +565,7 @@ void TestGlbExport::whatGlbCannotHoldIsRefused()
         const ExportOptions options{.format = ExportFormat::Glb};
         QCOMPARE(obstacle(forecast(*scene, options).value(), options, "/tmp/a.glb"), tooLarge);
     }
+    QCOMPARE(writeGlb(ManySheared(), {}, sink).error(), tooLarge);
     Mesh far;
     far.vertices = {{1e39, 0, 0}, {1e39, 1, 0}, {1e39, 0, 1}};
     far.faces = {{0, 1, 2}};
