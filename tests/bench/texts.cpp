@@ -204,6 +204,80 @@ std::string repeats(std::size_t sets)
     return text + " o0\n";
 }
 
+/// Many small faces, with all that corners may have.
+std::string objFaces(std::size_t faces)
+{
+    std::string text = "v 0 0 0\nv 1 0 0.25\nv 1 1 -1e-3\nv 0 1 3.14159265358979\n";
+    for (std::size_t i = 1; i <= faces; ++i) {
+        add(text, "v {}.125 -{}e-1 .5\nvt 0.{} 1\nvn 0 0 1\nf -1/-1/-1 {}//{} 1/{} 2\n", i, i, i, i, i, i);
+    }
+    return text;
+}
+
+std::string objConvex(std::size_t corners)
+{
+    std::string text;
+    std::string face = "f";
+    for (std::size_t i = 0; i < corners; ++i) {
+        add(text, "v {} {} 0\n", i, i * i); // a parabola
+        add(face, " {}", i + 1);
+    }
+    return text + face + '\n';
+}
+
+/// One face with teeth of four corners.
+std::string objComb(std::size_t teeth)
+{
+    std::string text = "v 0 -1 0\n";
+    std::string face = "f 1";
+    for (std::size_t i = 0; i < teeth; ++i) {
+        add(text, "v {0} 0 0\nv {0} -{1} 0\nv {0}.5 -{1} 0\nv {0}.5 0 0\n", i, 2 + i % 7);
+        add(face, " {} {} {} {}", 4 * i + 2, 4 * i + 3, 4 * i + 4, 4 * i + 5);
+    }
+    add(text, "v {} 1 0\nv 0 1 0\n", teeth);
+    add(face, " {} {}\n", 4 * teeth + 2, 4 * teeth + 3);
+    return text + face;
+}
+
+/// A part for each face, each of another material and group.
+std::string objParts(std::size_t faces)
+{
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (std::size_t i = 0; i < faces; ++i) {
+        add(text, "usemtl m{}\ng g{}\nf 1 2 3\n", i, i);
+    }
+    return text;
+}
+
+std::string objUnknown(std::size_t lines)
+{
+    std::string text;
+    for (std::size_t i = 0; i < lines; ++i) {
+        add(text, "word{} 1 2 3\np {}\n", i, i);
+    }
+    return text;
+}
+
+/// One face, each corner on a line of its own.
+std::string objContinued(std::size_t corners)
+{
+    std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3";
+    for (std::size_t i = 0; i < corners; ++i) {
+        text += " \\\n1";
+    }
+    return text + '\n';
+}
+
+/// Lines that end in a CR alone: the next LF is never near.
+std::string objCarriageReturns(std::size_t lines)
+{
+    std::string text = "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r";
+    for (std::size_t i = 0; i < lines; ++i) {
+        text += "# comment\rv 1 2 3\r";
+    }
+    return text;
+}
+
 constexpr TextShape shapes[] = {
     {"person", person, 2'500, 100'000, true},
     {"chained", chained, 5'000, 100'000, true},
@@ -221,6 +295,13 @@ constexpr TextShape shapes[] = {
     {"scene", scene, 5'000, 100'000, true},
     {"scene-errors", sceneErrors, 5'000, 100'000, false},
     {"scene-brackets", sceneBrackets, 300'000, 1'000'000, false},
+    {"obj-faces", objFaces, 5'000, 200'000, true},
+    {"obj-convex", objConvex, 20'000, 300'000, true},
+    {"obj-comb", objComb, 5'000, 75'000, true},
+    {"obj-parts", objParts, 5'000, 200'000, true},
+    {"obj-unknown", objUnknown, 5'000, 200'000, false},
+    {"obj-continued", objContinued, 50'000, 1'000'000, true},
+    {"obj-carriage-returns", objCarriageReturns, 20'000, 1'000'000, true},
 };
 
 }

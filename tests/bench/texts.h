@@ -9,8 +9,8 @@
 
 namespace romanesco {
 
-/// A kind of text of any size, for measuring what reading costs: .fdo, or .sdo where its name starts with "scene". The
-/// same n gives the same text.
+/// A kind of text of any size, for measuring what reading costs: .fdo, .sdo where its name starts with "scene", or .obj
+/// where it starts with "obj". The same n gives the same text.
 struct TextShape {
     std::string_view name;
     /// n counts what the shape is about: lines, uses, bytes.

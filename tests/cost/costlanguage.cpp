@@ -5,10 +5,12 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <pthread.h>
 
 #include "core/formats/fdoreader.h"
+#include "core/formats/objreader.h"
 #include "core/formats/sdoreader.h"
 #include "core/text/linemap.h"
 #include "core/text/places.h"
@@ -26,6 +28,10 @@ struct Reading {
 /// In the language that the shape's name says.
 Reading readText(std::string_view shape, std::string_view text)
 {
+    if (shape.starts_with("obj")) {
+        ObjResult result = readObj(text);
+        return {std::move(result.diagnostics), !result.mesh.faces.empty()};
+    }
     if (shape.starts_with("scene")) {
         SdoResult result = readSdo(text);
         const SdoResult copy = result; // copying and destroying may recurse too
