@@ -78,13 +78,13 @@ public:
         return text && fileKind(path) == FileKind::Fdo ? changed(std::move(*text)) : text;
     }
 
-    /// Paths, and the bytes of each.
-    [[nodiscard]] const std::map<std::filesystem::path, std::uint64_t> &read() const { return m_read; }
-
     [[nodiscard]] std::expected<void, std::string> check(const std::filesystem::path &path) const override
     {
-        return m_files.check(path);
+        return DiskFiles().check(path);
     }
+
+    /// Paths, and the bytes of each.
+    [[nodiscard]] const std::map<std::filesystem::path, std::uint64_t> &read() const { return m_read; }
 
     /// Whether a change is wanted and there was nothing to change.
     [[nodiscard]] bool isInVain() const { return !m_digits.empty() && !m_hasChanged; }
