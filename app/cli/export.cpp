@@ -75,15 +75,17 @@ std::optional<ExportOptions> exportOptions(const QCommandLineParser &parser, con
     return result;
 }
 
-/// Whether a file is one of those that are read, or would lie beside an OBJ as its materials.
-bool isInput(const std::filesystem::path &file, const Input &input)
+/// Whether the output, or the file of materials beside it, is one of the files that are read.
+bool isInput(const std::filesystem::path &output, ExportFormat format, const Input &input)
 {
-    const auto isSame = [&](const std::filesystem::path &read) {
-        std::error_code ignored;
-        return std::filesystem::equivalent(file, read, ignored)
-            || std::filesystem::equivalent(std::filesystem::path(file).replace_extension(".mtl"), read, ignored);
+    const auto isRead = [&](const std::filesystem::path &file) {
+        return std::ranges::any_of(input.files, [&](const std::filesystem::path &read) {
+            std::error_code ignored;
+            return std::filesystem::equivalent(file, read, ignored);
+        });
     };
-    return std::ranges::any_of(input.files, isSame);
+    return isRead(output)
+        || (format == ExportFormat::Obj && isRead(std::filesystem::path(output).replace_extension(".mtl")));
 }
 
 /// "1.92 MB"; from 10^18 bytes on "3.3e+41 bytes".
@@ -185,8 +187,8 @@ int runExport(const QStringList &arguments)
     }
     const QString output = parser.value(options.output);
     const bool isStreamed = output == QLatin1String("-");
-    if (!isStreamed && isInput(outputPath(output), *input)) {
-        complain(QStringLiteral("%1 would be written over a file that it is made from").arg(output));
+    if (!isStreamed && isInput(outputPath(output), wanted->format, *input)) {
+        complain(QStringLiteral("%1, or its materials, would be written over a file that it is made from").arg(output));
         return WrongUsage;
     }
     wanted->source = std::filesystem::path(shownName(*file)).filename().string();

@@ -46,6 +46,9 @@ private Q_SLOTS:
         write(path("bad.fdo"), "v 1 0 0\n<$>. nothing\n");
         write(path("a.sdo"),
               "f \"a.fdo\" ((0, 5, 0), #, #)\no \"triangle.obj\" #\np \"triangle.obj\" ((9, 0, 0), #, #) 0.5\n");
+        write(path("paint.mtl"), "newmtl red\nKd 1 0 0\n");
+        write(path("painted.obj"), "mtllib paint.mtl\n" + triangle.chopped(8) + "usemtl red\nf 1 2 3\n");
+        write(path("painted.fdo"), "<$>. \"painted.obj\"\n");
         QVERIFY(QDir(m_folder->path()).mkdir("folder.obj"));
         QCOMPARE(::mkfifo(path("pipe.obj").toUtf8().constData(), 0600), 0);
     }
@@ -84,8 +87,21 @@ private Q_SLOTS:
         QCOMPARE(bytesOf(path("out.obj")), "# Romanesco: triangle.obj, 1 face\n" + triangle);
     }
 
+    void materialsGoAlong()
+    {
+        const Outcome outcome = exportTo(path("painted.fdo"), path("out.obj"));
+        QVERIFY2(outcome.status == 0, outcome.err);
+        QVERIFY(bytesOf(path("out.obj")).contains("mtllib out.mtl\n"));
+        QVERIFY(bytesOf(path("out.mtl")).startsWith("newmtl red\nKd 1 0 0\n"));
+        // on standard output there is no file beside
+        QVERIFY(!exportTo(path("painted.fdo"), "-").out.contains("mtl"));
+    }
+
     void otherFormatsGoByTheEnding()
     {
+        QCOMPARE(exportTo(path("painted.fdo"), path("paint.ply")).status, 0);
+        QCOMPARE(exportTo(path("a.fdo"), path("out.glb")).status, 0);
+        QVERIFY(bytesOf(path("out.glb")).startsWith("glTF"));
         QCOMPARE(exportTo(path("a.fdo"), path("out.PLY")).status, 0);
         QVERIFY(bytesOf(path("out.PLY")).startsWith("ply\nformat binary_little_endian 1.0\n"));
         QCOMPARE(exportTo(path("a.fdo"), path("out.stl")).status, 0);
@@ -129,6 +145,7 @@ private Q_SLOTS:
         row("over its own mesh", {"a.fdo", "-o", "triangle.obj"}, "a file that it is made from");
         row("over its own mesh by another path", {"a.fdo", "-o", "./folder.obj/../triangle.obj"},
             "a file that it is made from");
+        row("over its own materials", {"painted.fdo", "-o", "paint.obj"}, "a file that it is made from");
         row("over the mesh itself", {"triangle.obj", "-o", "triangle.obj"}, "a file that it is made from");
         row("depth of a mesh", {"triangle.obj", "-o", "out.obj", "--depth", "3"}, "--depth needs");
     }

@@ -40,6 +40,13 @@ inline std::string exported(const Scene &scene, const ExportOptions &options = {
     return report ? std::move(sink.text) : "error: " + report.error();
 }
 
+/// A mesh by itself.
+inline std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
+{
+    FractalGraph graph = FractalGraph::ofMesh(boundingSphere(*mesh));
+    return std::make_shared<const Model>(Model{std::move(mesh), std::move(graph), {}, {}});
+}
+
 inline std::shared_ptr<const Scene> loaded(const TableFiles &files, const std::string &path)
 {
     const SceneResult result = SceneLoader(files).load(path, files.read(path).value());

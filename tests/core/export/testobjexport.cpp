@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <cmath>
 
+#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -90,6 +91,7 @@ private Q_SLOTS:
     void mirroredCopiesKeepEachCornersAttributes();
     void coloursStandBesideVertices();
     void looksAreAsAssimpReadsThem();
+    void aMeshComesBackAsItWas();
     void materialsOfSeveralMeshesAreBroughtTogether();
     void partsWithoutMaterialDoNotTakeThatOfOthers();
     void texturesAreNamedFromTheFolderOfTheFile();
@@ -230,6 +232,38 @@ void TestObjExport::looksAreAsAssimpReadsThem()
         }
     }
     QCOMPARE(seen, 2);
+}
+
+void TestObjExport::aMeshComesBackAsItWas()
+{
+    QTemporaryDir folder;
+    QVERIFY(folder.isValid());
+    const std::filesystem::path path = folder.filePath("out.obj").toStdString();
+    QFile texture(folder.filePath("bark.png"));
+    QVERIFY(texture.open(QIODevice::WriteOnly));
+    Mesh mesh = decoratedMesh();
+    mesh.materials[0].name = "a name with blanks";
+    mesh.materials[0].diffuseTexture = folder.filePath("bark.png").toStdString();
+    QVERIFY(exportToFile(sceneOf(modelOfMesh(std::make_shared<const Mesh>(mesh))), {}, path));
+    const DiskFiles disk;
+    const SceneResult result = SceneLoader(disk).load(path, disk.read(path).value());
+    QVERIFY(result.diagnostics.empty());
+    const Mesh &back = *result.scene->items.front().model->mesh;
+    QCOMPARE(back.vertices, mesh.vertices);
+    QCOMPARE(back.faces, mesh.faces);
+    QCOMPARE(back.textureCoordinates, mesh.textureCoordinates);
+    QCOMPARE(back.faceTextureCoordinates, mesh.faceTextureCoordinates);
+    QCOMPARE(back.normals, mesh.normals);
+    QCOMPARE(back.faceNormals, mesh.faceNormals);
+    QCOMPARE(back.materials, mesh.materials);
+    QCOMPARE(back.groups, mesh.groups);
+    QCOMPARE(back.parts.size(), mesh.parts.size());
+    for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+        QCOMPARE(back.parts[i].firstFace, mesh.parts[i].firstFace);
+        QCOMPARE(back.parts[i].material, mesh.parts[i].material);
+        QCOMPARE(back.parts[i].group, mesh.parts[i].group);
+        QCOMPARE(back.parts[i].smoothing, mesh.parts[i].smoothing);
+    }
 }
 
 void TestObjExport::materialsOfSeveralMeshesAreBroughtTogether()
