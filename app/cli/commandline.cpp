@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array commands = {
     Command{"check", "FILE… [--json]", "tell all that is wrong or odd in files", runCheck},
-    Command{"export", "FILE -o OUT.obj [--depth N] [--digits N] [--groups] …",
+    Command{"export", "FILE -o OUT.obj [--depth N] [--digits N] [--weld] …",
             "write all copies as a mesh: .obj, .ply, .stl or .glb", runExport},
     Command{"format", "FILE… [--check]", "tidy the layout of files, in place", runFormat},
     Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},

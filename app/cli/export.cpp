@@ -36,6 +36,9 @@ struct Options {
                        "fewest that read back as the same number."),
         QStringLiteral("N")};
     QCommandLineOption groups{QStringLiteral("groups"), QStringLiteral("An OBJ has a group for each branch.")};
+    QCommandLineOption weld{QStringLiteral("weld"),
+                            QStringLiteral("Merge vertices that coincide, drop walls between copies, and say whether "
+                                           "the result is closed; up to 10,000,000 faces.")};
     QCommandLineOption force{QStringLiteral("force"), QStringLiteral("Write more than 1,000,000,000 faces.")};
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
@@ -60,7 +63,9 @@ std::optional<ExportOptions> exportOptions(const QCommandLineParser &parser, con
     if (!format) {
         return wrong(QStringLiteral("%1: only .obj, .ply, .stl and .glb files can be written").arg(output));
     }
-    ExportOptions result{.format = *format, .isGrouped = parser.isSet(options.groups)};
+    ExportOptions result{.format = *format,
+                         .isGrouped = parser.isSet(options.groups),
+                         .isWelded = parser.isSet(options.weld)};
     if (*format != ExportFormat::Obj && (result.isGrouped || parser.isSet(options.digits))) {
         return wrong(QStringLiteral("only an .obj file has digits and groups"));
     }
@@ -107,6 +112,17 @@ std::string countText(const Count &count)
     const double exponent = std::floor(count.log10());
     return exponent < 15.0 ? count.toString()
                            : std::format("{:.2f}e{:.0f}", std::pow(10.0, count.log10() - exponent), exponent);
+}
+
+void printWeld(std::FILE *stream, const WeldReport &weld)
+{
+    std::println(stream, "welded       {} vertices merged within {:.3g}, {} faces inside and {} others dropped",
+                 weld.mergedVertices, weld.tolerance, weld.droppedWalls, weld.droppedFaces);
+    if (weld.isClosed()) {
+        std::println(stream, "closed       yes");
+    } else {
+        std::println(stream, "closed       no, {} edges are open", weld.openEdges);
+    }
 }
 
 int refuse(const QString &file, const std::string &words)
@@ -172,7 +188,8 @@ int runExport(const QStringList &arguments)
                        "the same place by\n"
                        "different words are written once. Memory does not grow with the number of copies."));
     const Options options;
-    parser.addOptions({options.output, depthOption(), options.digits, options.groups, options.force, options.quiet});
+    parser.addOptions(
+        {options.output, depthOption(), options.digits, options.groups, options.weld, options.force, options.quiet});
     const auto file = parseArguments(parser, "export", arguments);
     if (!file) {
         return file.error();
@@ -219,6 +236,9 @@ int runExport(const QStringList &arguments)
     if (report->bakedCopies > 0) {
         std::println(stream, "baked        {} copies that are not translation, rotation and scale",
                      report->bakedCopies);
+    }
+    if (report->weld) {
+        printWeld(stream, *report->weld);
     }
     std::println(stream, "bytes        {}", report->bytes);
     std::println(stream, "seconds      {:.3f}", seconds);

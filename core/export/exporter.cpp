@@ -84,6 +84,28 @@ std::expected<SceneCopies, std::string> copiesOf(const Scene &scene, const Expor
     return SceneCopies(scene, *counts, branches, options.source, context.stop);
 }
 
+std::expected<ExportReport, std::string> write(const CopySource &copies, const Scene &scene,
+                                               const ExportOptions &options, const std::string &materialLibrary,
+                                               ByteSink &sink, const ExportContext &context);
+
+/// All copies as one mesh, whose materials have the names that they have in the library of the copies.
+std::expected<ExportReport, std::string> writeWelded(const CopySource &copies, const Scene &scene,
+                                                     const ExportOptions &options, const std::string &materialLibrary,
+                                                     ByteSink &sink, const ExportContext &context)
+{
+    const auto welded = weld(copies, context.stop);
+    if (!welded) {
+        return Failure(welded.error());
+    }
+    ExportOptions plain = options;
+    plain.isWelded = false;
+    auto report = write(PlainMesh(welded->mesh), scene, plain, materialLibrary, sink, context);
+    if (report) {
+        report->weld = welded->report;
+    }
+    return report;
+}
+
 std::expected<GlbReport, std::string> writeGlb(const CopySource &copies, const std::string &comment, ByteSink &sink,
                                                const ExportContext &context)
 {
@@ -98,6 +120,9 @@ std::expected<ExportReport, std::string> write(const CopySource &copies, const S
                                                const ExportOptions &options, const std::string &materialLibrary,
                                                ByteSink &sink, const ExportContext &context)
 {
+    if (options.isWelded) {
+        return writeWelded(copies, scene, options, materialLibrary, sink, context);
+    }
     WatchedSink watched(sink, context);
     ExportReport report{.faces = facesOf(copies)};
     const std::string comment = commentOf(scene, options.source, report.faces);
@@ -159,6 +184,9 @@ std::string obstacle(const ExportForecast &forecast, const ExportOptions &option
     }
     if (options.format == ExportFormat::Glb && isMore(forecast.bytes, mostGlbBytes)) {
         return "a GLB file holds at most " + std::to_string(mostGlbBytes) + " bytes";
+    }
+    if (options.isWelded && isMore(forecast.faces, mostWeldedFaces)) {
+        return "welding holds all faces in memory, at most " + std::to_string(mostWeldedFaces);
     }
     const std::optional<std::uint64_t> space = freeBytes(path);
     if (space && isMore(forecast.bytes, *space)) {

@@ -6,6 +6,7 @@
 #include <expected>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -14,6 +15,7 @@
 #include "core/scene/scene.h"
 #include "exportoptions.h"
 #include "forecast.h"
+#include "weld.h"
 
 namespace romanesco {
 
@@ -24,6 +26,8 @@ struct ExportReport {
     /// Of a GLB: see GlbReport.
     std::uint64_t bakedCopies = 0;
     std::uint64_t missingImages = 0;
+    /// Of one that is welded.
+    std::optional<WeldReport> weld = {};
 };
 
 /// More faces than these are hardly meant: who asks for them should be asked first.
@@ -45,7 +49,7 @@ struct ExportContext {
                                    const std::filesystem::path &path);
 
 /// Writes a scene as one file: each item, in its distinct copies, at its place; balls where they start. Takes memory that
-/// does not grow with the number of copies. An OBJ is without its materials, which stand in a file of their own. The
+/// does not grow with the number of copies, but for welding. An OBJ is without its materials, which stand in a file of their own. The
 /// error is why it could not be done.
 [[nodiscard]] std::expected<ExportReport, std::string> exportScene(const Scene &scene, const ExportOptions &options,
                                                                    ByteSink &sink, const ExportContext &context = {});

@@ -61,10 +61,10 @@ inline const std::string unitCubeObj = "v -.5 -.5 -.5\nv .5 -.5 -.5\nv -.5 .5 -.
 
 /// Copies of a third of the size of a cube at some of the 27 places that a cube has.
 template<typename IsTaken>
-std::shared_ptr<const Scene> spongeOf(int depth, const IsTaken &isTaken)
+std::shared_ptr<const Scene> spongeOf(int depth, const IsTaken &isTaken,
+                                      const std::string &third = "0.33333333333333333")
 {
-    std::string text = "x. \"cube.obj\"\nthird 0.33333333333333333 0.33333333333333333 0.33333333333333333\n"
-                       "box.p. (p, #, third)\n";
+    std::string text = "x. \"cube.obj\"\nthird " + third + " " + third + " " + third + "\nbox.p. (p, #, third)\n";
     std::string set;
     for (int i = 0; i < 27; ++i) {
         const std::array<int, 3> place{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
@@ -82,10 +82,20 @@ std::shared_ptr<const Scene> spongeOf(int depth, const IsTaken &isTaken)
     return loaded(TableFiles({{"cube.obj", unitCubeObj}, {"a.fdo", text}}), "a.fdo");
 }
 
+inline bool isInMenger(const std::array<int, 3> &place)
+{
+    return (place[0] == 0) + (place[1] == 0) + (place[2] == 0) < 2;
+}
+
 inline std::shared_ptr<const Scene> menger(int depth)
 {
-    return spongeOf(
-        depth, [](const std::array<int, 3> &place) { return (place[0] == 0) + (place[1] == 0) + (place[2] == 0) < 2; });
+    return spongeOf(depth, isInMenger);
+}
+
+/// Its cubes are a little too small for their places.
+inline std::shared_ptr<const Scene> roughMenger(int depth)
+{
+    return spongeOf(depth, isInMenger, "0.3333333333");
 }
 
 inline std::shared_ptr<const Scene> cantorDust(int depth)
