@@ -35,6 +35,7 @@ std::vector<std::string> namesOf(const Scene &scene, const std::string &name)
     for (const SceneItem &item : scene.items) {
         std::string stem = std::filesystem::path(item.path.empty() ? name : item.path).stem().string();
         std::ranges::replace_if(stem, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
+        stem = stem.empty() ? "item" : stem;
         const int use = ++uses[stem];
         names.push_back(use == 1 ? stem : stem + "-" + std::to_string(use));
     }
