@@ -48,6 +48,30 @@ WeldedFile welded(const Scene &scene, bool isGrouped = false)
     return report ? WeldedFile{sink.text, report->weld.value()} : WeldedFile{"error: " + report.error(), {}};
 }
 
+/// A mesh. Someone asks for a stop when all has been visited that there is to visit.
+class StopsAtLast final : public CopySource
+{
+public:
+    explicit StopsAtLast(const Mesh &mesh)
+        : m_item{&mesh, 1}
+    {
+    }
+    [[nodiscard]] std::span<const Item> items() const override { return {&m_item, 1}; }
+    [[nodiscard]] std::expected<void, std::string> visit(std::size_t, const Visitor &visitor) const override
+    {
+        visitor({});
+        if (++m_visits == 3) {
+            stop.request_stop();
+        }
+        return {};
+    }
+    mutable std::stop_source stop;
+
+private:
+    Item m_item;
+    mutable int m_visits = 0;
+};
+
 std::shared_ptr<const Scene> cubes(const std::string &text)
 {
     return loaded(TableFiles({{"cube.obj", unitCubeObj},
@@ -68,6 +92,8 @@ private Q_SLOTS:
     void cubesApartStayAsTheyAre();
     void holesAreCounted();
     void copiesInOnePlaceAreOne();
+    void neighboursThatDoNotTouchStayApart();
+    void neighboursFarFromTheOriginTouchWithinRounding();
     void mirroredNeighboursHaveAWallToo();
     void pointsAndFlatCopiesAreNoTrouble();
     void facesKeepTheirLooks();
@@ -157,6 +183,23 @@ void TestWeld::copiesInOnePlaceAreOne()
     QVERIFY(std::abs(file.solid().volume - 1) < 1e-9);
 }
 
+void TestWeld::neighboursThatDoNotTouchStayApart()
+{
+    const WeldedFile file = welded(*cubes("a 1.00001 0 0\n<$>. [#, t.a] x\n"));
+    QCOMPARE(file.vertices(), std::size_t{16});
+    QCOMPARE(file.report.droppedWalls, 0u);
+}
+
+/// Beside 123456.7 neighbouring doubles are 1.5e-11 apart, a millionth of an edge is 1e-12.
+void TestWeld::neighboursFarFromTheOriginTouchWithinRounding()
+{
+    const WeldedFile file = welded(*cubes("a 123456.7 765432.1 -234567.8\nn 0 0 0\nb 1e-6 0 0\nc 0 1e-6 0\n"
+                                          "tiny 1e-6 1e-6 1e-6\n<$>. [t.a] [s.n.tiny, s.b.tiny, s.c.tiny] x\n"));
+    QCOMPARE(file.report.droppedWalls, 8u);
+    QCOMPARE(file.vertices(), std::size_t{16});
+    QVERIFY(file.report.isClosed());
+}
+
 void TestWeld::mirroredNeighboursHaveAWallToo()
 {
     // the mirror of the cube beside it, whose touching side is cut along the same diagonal
@@ -190,24 +233,29 @@ void TestWeld::facesKeepTheirLooks()
     mesh.materials[1].name = "blue";
     mesh.groups = {"left", "right"};
     mesh.parts = {{0, 0, 0, 0}, {1, 1, 1, 4}};
-    const auto model = modelOfMesh(std::make_shared<const Mesh>(mesh));
     Scene scene;
     for (const double x : {0.0, 1.0}) {
-        scene.items.push_back({.model = model, .worldFromModel = {glm::dmat3(1.0), {x, 0, 0}}});
+        scene.items.push_back({.model = modelOfMesh(std::make_shared<const Mesh>(mesh)),
+                               .worldFromModel = {glm::dmat3(1.0), {x, 0, 0}}});
     }
     const SceneCopies copies(scene, {1, 1}, SceneCopies::Branches::Unnamed, "a", {});
     const auto result = weld(copies, {});
     QVERIFY(result);
     const Mesh &together = result->mesh;
     QCOMPARE(together.vertices.size(), std::size_t{6});
-    QCOMPARE(together.textureCoordinates, mesh.textureCoordinates);
+    QCOMPARE(together.textureCoordinates.size(), std::size_t{6});
+    QCOMPARE(together.textureCoordinates[4], glm::dvec2(1, 0));
     QCOMPARE(together.faceTextureCoordinates[1], (Mesh::Face{2, 1, Mesh::none}));
-    QCOMPARE(together.faceTextureCoordinates[3], (Mesh::Face{2, 1, Mesh::none}));
+    QCOMPARE(together.faceTextureCoordinates[3], (Mesh::Face{5, 4, Mesh::none}));
     QCOMPARE(together.parts.size(), std::size_t{4});
     QCOMPARE(together.parts[3].firstFace, 3u);
     QCOMPARE(together.materials.at(together.parts[3].material).name, std::string("blue"));
     QCOMPARE(together.groups.at(together.parts[3].group), std::string("right"));
     QCOMPARE(together.parts[3].smoothing, 4u);
+    QCOMPARE(together.materials.size(), std::size_t{2});
+    const auto plain = menger(1);
+    const SceneCopies alike(*plain, {20}, SceneCopies::Branches::Unnamed, "a", {});
+    QCOMPARE(weld(alike, {})->mesh.parts.size(), std::size_t{1});
 }
 
 /// Parts lose faces in their middle, and begin later then.
@@ -274,6 +322,11 @@ void TestWeld::stopsAreHeeded()
     const auto report = exportScene(*menger(4), {.isWelded = true}, sink, {.stop = stop.get_token()});
     QVERIFY(!report);
     QCOMPARE(report.error(), std::string("cancelled"));
+    const Mesh mesh{.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .faces = {{0, 1, 2}}};
+    const StopsAtLast late(mesh);
+    const auto result = weld(late, late.stop.get_token());
+    QVERIFY(!result);
+    QCOMPARE(result.error(), std::string("cancelled"));
 }
 
 /// Points on and beside the sides of cells most of all.
