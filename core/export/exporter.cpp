@@ -84,28 +84,6 @@ std::expected<SceneCopies, std::string> copiesOf(const Scene &scene, const Expor
     return SceneCopies(scene, *counts, branches, options.source, context.stop);
 }
 
-std::expected<ExportReport, std::string> write(const CopySource &copies, const Scene &scene,
-                                               const ExportOptions &options, const std::string &materialLibrary,
-                                               ByteSink &sink, const ExportContext &context);
-
-/// All copies as one mesh, whose materials have the names that they have in the library of the copies.
-std::expected<ExportReport, std::string> writeWelded(const CopySource &copies, const Scene &scene,
-                                                     const ExportOptions &options, const std::string &materialLibrary,
-                                                     ByteSink &sink, const ExportContext &context)
-{
-    const auto welded = weld(copies, context.stop);
-    if (!welded) {
-        return Failure(welded.error());
-    }
-    ExportOptions plain = options;
-    plain.isWelded = false;
-    auto report = write(PlainMesh(welded->mesh), scene, plain, materialLibrary, sink, context);
-    if (report) {
-        report->weld = welded->report;
-    }
-    return report;
-}
-
 std::expected<GlbReport, std::string> writeGlb(const CopySource &copies, const std::string &comment, ByteSink &sink,
                                                const ExportContext &context)
 {
@@ -116,13 +94,10 @@ std::expected<GlbReport, std::string> writeGlb(const CopySource &copies, const s
     return romanesco::writeGlb(copies, {comment, readImage}, sink);
 }
 
-std::expected<ExportReport, std::string> write(const CopySource &copies, const Scene &scene,
-                                               const ExportOptions &options, const std::string &materialLibrary,
-                                               ByteSink &sink, const ExportContext &context)
+std::expected<ExportReport, std::string> writeCopies(const CopySource &copies, const Scene &scene,
+                                                     const ExportOptions &options, const std::string &materialLibrary,
+                                                     ByteSink &sink, const ExportContext &context)
 {
-    if (options.isWelded) {
-        return writeWelded(copies, scene, options, materialLibrary, sink, context);
-    }
     WatchedSink watched(sink, context);
     ExportReport report{.faces = facesOf(copies)};
     const std::string comment = commentOf(scene, options.source, report.faces);
@@ -146,6 +121,26 @@ std::expected<ExportReport, std::string> write(const CopySource &copies, const S
     }
     report.bytes = watched.count();
     return written ? std::expected<ExportReport, std::string>(report) : Failure(written.error());
+}
+
+/// All copies, or the one mesh that they are welded to: its materials have the names that they have in the library of the
+/// copies.
+std::expected<ExportReport, std::string> write(const CopySource &copies, const Scene &scene,
+                                               const ExportOptions &options, const std::string &materialLibrary,
+                                               ByteSink &sink, const ExportContext &context)
+{
+    if (!options.isWelded) {
+        return writeCopies(copies, scene, options, materialLibrary, sink, context);
+    }
+    const auto welded = weld(copies, context.stop);
+    if (!welded) {
+        return Failure(welded.error());
+    }
+    auto report = writeCopies(PlainMesh(welded->mesh), scene, options, materialLibrary, sink, context);
+    if (report) {
+        report->weld = welded->report;
+    }
+    return report;
 }
 
 /// In the folder where a file will stand, which is that of its target where it is a link.

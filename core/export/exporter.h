@@ -49,8 +49,8 @@ struct ExportContext {
                                    const std::filesystem::path &path);
 
 /// Writes a scene as one file: each item, in its distinct copies, at its place; balls where they start. Takes memory that
-/// does not grow with the number of copies, but for welding. An OBJ is without its materials, which stand in a file of their own. The
-/// error is why it could not be done.
+/// does not grow with the number of copies, but for welding. An OBJ is without its materials, which stand in a file of
+/// their own. The error is why it could not be done.
 [[nodiscard]] std::expected<ExportReport, std::string> exportScene(const Scene &scene, const ExportOptions &options,
                                                                    ByteSink &sink, const ExportContext &context = {});
 

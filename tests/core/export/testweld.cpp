@@ -235,8 +235,8 @@ void TestWeld::facesKeepTheirLooks()
     mesh.parts = {{0, 0, 0, 0}, {1, 1, 1, 4}};
     Scene scene;
     for (const double x : {0.0, 1.0}) {
-        scene.items.push_back({.model = modelOfMesh(std::make_shared<const Mesh>(mesh)),
-                               .worldFromModel = {glm::dmat3(1.0), {x, 0, 0}}});
+        scene.items.push_back(
+            {.model = modelOfMesh(std::make_shared<const Mesh>(mesh)), .worldFromModel = {glm::dmat3(1.0), {x, 0, 0}}});
     }
     const SceneCopies copies(scene, {1, 1}, SceneCopies::Branches::Unnamed, "a", {});
     const auto result = weld(copies, {});
