@@ -53,6 +53,8 @@ public:
 
     /// The last of the sequence first.
     [[nodiscard]] const std::vector<Stretch> &stretches() const { return m_stretches; }
+    /// The node of position 0.
+    [[nodiscard]] Node entry() const { return m_stretches.empty() ? end : m_stretches.back().entry; }
     [[nodiscard]] std::size_t nodeCount() const { return m_firstStep.size() - 1; }
 
     /// From a node of one position to the one before it in number; from a shared one to those shared in the same stretch,

@@ -75,6 +75,8 @@ public:
     /// From some number of remaining levels on all positions of a slot share one sphere.
     [[nodiscard]] Sphere bound(Position position) const { return m_bounds.at(m_levels, position); }
     [[nodiscard]] const Sphere &base() const { return m_bounds.base(); }
+    [[nodiscard]] const SphereBounds &bounds() const { return m_bounds; }
+    [[nodiscard]] const BoundLayout &layout() const { return m_bounds.layout(); }
 
     /// Bytes held, for the record.
     [[nodiscard]] std::size_t memoryUse() const;

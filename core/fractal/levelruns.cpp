@@ -86,6 +86,13 @@ Position addRestOfRepeat(const LevelSequence &levels, Position position, std::ve
 
 }
 
+std::vector<LevelRun> runsOfPass(const LevelSequence &levels, std::uint32_t repeat)
+{
+    std::vector<LevelRun> runs;
+    addRestOfPass(levels, levels.repeats()[repeat], 0, runs);
+    return runs;
+}
+
 std::vector<LevelRun> runsBetween(const LevelSequence &levels, Position begin, Position end)
 {
     std::vector<LevelRun> runs;

@@ -21,4 +21,7 @@ struct LevelRun {
 /// the slots between them.
 [[nodiscard]] std::vector<LevelRun> runsBetween(const LevelSequence &levels, Position begin, Position end);
 
+/// One pass of a repeat, inner repeats as they are.
+[[nodiscard]] std::vector<LevelRun> runsOfPass(const LevelSequence &levels, std::uint32_t repeat);
+
 }

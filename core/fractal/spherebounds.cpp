@@ -235,16 +235,8 @@ private:
         m_bounds.m_passGrowth.resize(repeats.size());
         for (std::size_t i = repeats.size(); i-- > 0;) {
             Growth growth;
-            Slot slot = repeats[i].firstSlot;
-            for (const std::uint32_t inner : repeats[i].inner) {
-                for (; slot < repeats[inner].firstSlot; ++slot) {
-                    growth = composed(growth, m_bounds.m_slotGrowth[slot]);
-                }
-                growth = composed(growth, power(m_bounds.m_passGrowth[inner], repeats[inner].count));
-                slot = repeats[inner].endSlot;
-            }
-            for (; slot < repeats[i].endSlot; ++slot) {
-                growth = composed(growth, m_bounds.m_slotGrowth[slot]);
+            for (const LevelRun &run : runsOfPass(m_graph.levels(), static_cast<std::uint32_t>(i))) {
+                growth = composed(growth, m_bounds.growthOf(run));
             }
             m_bounds.m_passGrowth[i] = growth;
         }
@@ -267,12 +259,17 @@ Sphere SphereBounds::at(const LevelSequence &levels, Position position) const
     return node ? m_spheres[*node] : grown(levels, position, m_layout.stretchAt(position));
 }
 
+Growth SphereBounds::growthOf(const LevelRun &run) const
+{
+    return run.repeat == 0 ? m_slotGrowth[run.slot] : power(m_passGrowth[run.repeat], run.passes);
+}
+
 /// From a position to the end of its stretch: slots singly, passes of a repeat by powers.
 Sphere SphereBounds::grown(const LevelSequence &levels, Position position, const Stretch &stretch) const
 {
     Growth growth;
-    for (const auto &[slot, repeat, passes] : runsBetween(levels, position, stretch.end)) {
-        growth = composed(growth, repeat == 0 ? m_slotGrowth[slot] : power(m_passGrowth[repeat], passes));
+    for (const LevelRun &run : runsBetween(levels, position, stretch.end)) {
+        growth = composed(growth, growthOf(run));
     }
     const Sphere &after = m_spheres[stretch.exit];
     if (after.isEmpty()) {

@@ -7,6 +7,7 @@
 
 #include "boundlayout.h"
 #include "core/geometry/sphere.h"
+#include "levelruns.h"
 
 namespace romanesco {
 
@@ -41,6 +42,7 @@ public:
 
 private:
     class Builder;
+    [[nodiscard]] Growth growthOf(const LevelRun &run) const;
     [[nodiscard]] Sphere grown(const LevelSequence &levels, Position position,
                                const BoundLayout::Stretch &stretch) const;
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/fractal/boxbounds.h"
 #include "core/fractal/fractalgraph.h"
 #include "core/geometry/box.h"
 #include "core/geometry/mesh.h"
@@ -15,6 +16,7 @@ namespace romanesco {
 struct Model {
     std::shared_ptr<const Mesh> mesh;
     FractalGraph graph;
+    BoxBounds boxes;
     /// Holds the whole fractal.
     Box extent;
     /// The mesh's path as the .fdo writes it; empty for a mesh by itself.

@@ -16,6 +16,14 @@ namespace romanesco {
 
 namespace {
 
+std::shared_ptr<const Model> modelOf(std::shared_ptr<const Mesh> mesh, FractalGraph graph, std::string meshPath)
+{
+    BoxBounds boxes(graph, *mesh);
+    const Box box = extent(graph, boxes, *mesh);
+    return std::make_shared<const Model>(
+        Model{std::move(mesh), std::move(graph), std::move(boxes), box, std::move(meshPath)});
+}
+
 /// Nothing where it reaches beyond what can be computed with.
 std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
 {
@@ -23,9 +31,7 @@ std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
     if (!std::isfinite(base.radius * base.radius)) {
         return nullptr;
     }
-    FractalGraph graph = FractalGraph::ofMesh(base);
-    const Box box = extent(graph, *mesh);
-    return std::make_shared<const Model>(Model{std::move(mesh), std::move(graph), box, {}});
+    return modelOf(std::move(mesh), FractalGraph::ofMesh(base), {});
 }
 
 }
@@ -205,8 +211,7 @@ ModelLibrary::Fractal ModelLibrary::fractal(const std::filesystem::path &folder,
         if (!graph) {
             result.diagnostics.push_back({DiagnosticCode::Overflow, graph.error(), {}});
         } else if (!stop.stop_requested() && !hasErrors(result.diagnostics)) {
-            const Box box = extent(*graph, *base);
-            result.model = std::make_shared<const Model>(Model{base, std::move(*graph), box, description.meshPath});
+            result.model = modelOf(base, std::move(*graph), description.meshPath);
         }
     }
     sortByPlace(result.diagnostics);

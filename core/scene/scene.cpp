@@ -34,9 +34,10 @@ double reachOfSphere(const Sphere &sphere, const glm::dvec3 &direction)
 
 double reachOf(const SceneItem &item, const glm::dvec3 &direction, std::size_t budget)
 {
+    const Model &model = *item.model;
     const AffineMap &map = item.worldFromModel;
     const glm::dvec3 inModel = glm::transpose(map.linear) * direction;
-    return reachAlong(item.model->graph, *item.model->mesh, inModel, budget) + glm::dot(direction, map.translation);
+    return reachAlong(model.graph, model.boxes, *model.mesh, inModel, budget) + glm::dot(direction, map.translation);
 }
 
 }

@@ -4,7 +4,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "core/fractal/boxbounds.h"
 #include "core/fractal/copies.h"
+#include "core/geometry/trs.h"
 
 using namespace romanesco;
 
@@ -59,6 +61,33 @@ void walk(benchmark::State &state, std::size_t mapCount, bool holdsIdentity, std
         benchmark::Counter(static_cast<double>(copies), benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
+/// A tree: each smaller and turned another way.
+std::vector<AffineMap> turnedMaps(int count, double size)
+{
+    std::vector<AffineMap> maps;
+    for (int i = 0; i < count; ++i) {
+        maps.push_back(mapFromParts({0.1 * i, 1, 0.2}, {30.0 + 7 * i, 50.0 * i, 20}, glm::dvec3(size)));
+    }
+    return maps;
+}
+
+/// Makes a graph, or with boxes; a mesh of one face of about the size of the sphere.
+void build(benchmark::State &state, const std::vector<AffineMap> &maps, bool holdsIdentity, std::uint64_t depth,
+           bool withBoxes)
+{
+    const Mesh mesh{.vertices = {{1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}}, .faces = {{0, 1, 2}}};
+    std::size_t bytes = 0;
+    for (auto _ : state) {
+        const FractalGraph graph = graphOf(maps, holdsIdentity, depth);
+        bytes = graph.memoryUse();
+        if (withBoxes) {
+            const BoxBounds boxes(graph, mesh);
+            bytes += boxes.memoryUse();
+        }
+    }
+    state.counters["bytes"] = static_cast<double>(bytes);
+}
+
 constexpr std::int64_t all = std::int64_t(1) << 62;
 
 BENCHMARK_CAPTURE(walk, sponge of depth 4, 20, false, 4, all)->Unit(benchmark::kMillisecond);
@@ -66,5 +95,27 @@ BENCHMARK_CAPTURE(walk, tree of depth 6, 6, true, 6, all)->Unit(benchmark::kMill
 BENCHMARK_CAPTURE(walk, one map a million times, 1, false, 1'000'000, all)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(walk, one map or none a million times, 1, true, 1'000'000, all)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(walk, two maps a million times, 2, false, 1'000'000, 1'000'000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build, sponge of depth 5, spongeMaps(20), false, 5, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, sponge of depth 5 with boxes, spongeMaps(20), false, 5, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, sponge of depth 10 ^ 6, spongeMaps(20), false, 1'000'000, false)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, sponge of depth 10 ^ 6 with boxes, spongeMaps(20), false, 1'000'000, true)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, tree of depth 7, turnedMaps(6, 0.6), true, 7, false)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, tree of depth 7 with boxes, turnedMaps(6, 0.6), true, 7, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, tree of depth 10 ^ 6, turnedMaps(6, 0.6), true, 1'000'000, false)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, tree of depth 10 ^ 6 with boxes, turnedMaps(6, 0.6), true, 1'000'000, true)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, spiral of depth 10 ^ 6, turnedMaps(2, 0.97), false, 1'000'000, false)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(build, spiral of depth 10 ^ 6 with boxes, turnedMaps(2, 0.97), false, 1'000'000, true)
+    ->Unit(benchmark::kMicrosecond);
+
+void buildRow(benchmark::State &state)
+{
+    build(state, {{glm::dmat3(1.0), {1, 0, 0}}}, true, 1'000'000'000, true);
+}
+BENCHMARK(buildRow)->Name("build/row of 10^9 with boxes")->Unit(benchmark::kMicrosecond);
 
 }

@@ -45,7 +45,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
     if (graph) {
         require(std::isfinite(graph->bound(0).radius));
         look(*graph);
-        const Box box = extent(*graph, mesh, 1'000);
+        const BoxBounds boxes(*graph, mesh);
+        const Box box = extent(*graph, boxes, mesh, 1'000);
         require(box.least.x <= box.greatest.x && box.least.y <= box.greatest.y && box.least.z <= box.greatest.z);
         require(!instancesAsWritten(*graph).toString().empty());
     }

@@ -44,7 +44,7 @@ inline std::string exported(const Scene &scene, const ExportOptions &options = {
 inline std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
 {
     FractalGraph graph = FractalGraph::ofMesh(boundingSphere(*mesh));
-    return std::make_shared<const Model>(Model{std::move(mesh), std::move(graph), {}, {}});
+    return std::make_shared<const Model>(Model{std::move(mesh), std::move(graph), {}, {}, {}});
 }
 
 inline std::shared_ptr<const Scene> loaded(const TableFiles &files, const std::string &path)

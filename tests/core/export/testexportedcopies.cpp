@@ -89,7 +89,7 @@ struct Both {
     {
         const auto shared = std::make_shared<const Mesh>(mesh);
         FractalGraph graph = FractalGraph::build(fractal.description(), boundingSphere(*shared)).value();
-        return std::make_shared<const Model>(Model{shared, std::move(graph), {}, {}});
+        return std::make_shared<const Model>(Model{shared, std::move(graph), {}, {}, {}});
     }
 
     /// Every sequence of picks once; the mirrored ones with their faces turned, flat ones as they are.

@@ -21,7 +21,7 @@ std::shared_ptr<const Scene> example(const QString &name, std::uint64_t depth)
     Sample made = sample(name, depth);
     const auto mesh = std::make_shared<const Mesh>(std::move(made.mesh));
     return std::make_shared<const Scene>(
-        sceneOf(std::make_shared<const Model>(Model{mesh, std::move(made.graph), {}, {}})));
+        sceneOf(std::make_shared<const Model>(Model{mesh, std::move(made.graph), {}, {}, {}})));
 }
 
 /// A ball of triangles with normals, texture coordinates and parts of two materials.
@@ -57,7 +57,7 @@ std::shared_ptr<const Model> randomModel(std::mt19937_64 &random, Mesh mesh)
 {
     const auto shared = std::make_shared<const Mesh>(std::move(mesh));
     FractalGraph graph = FractalGraph::build(randomFractal(random, 0.9).description(), boundingSphere(*shared)).value();
-    return std::make_shared<const Model>(Model{shared, std::move(graph), {}, {}});
+    return std::make_shared<const Model>(Model{shared, std::move(graph), {}, {}, {}});
 }
 
 /// How far the forecast is from the truth, as a share of it.

@@ -414,7 +414,7 @@ void TestGlbExport::anyFractalIsItsFlattening()
         const auto mesh = std::make_shared<const Mesh>(randomMesh(random));
         FractalGraph graph = FractalGraph::build(fractal.description(), boundingSphere(*mesh)).value();
         Scene scene;
-        scene.items.push_back({.model = std::make_shared<const Model>(Model{mesh, std::move(graph), {}, {}}),
+        scene.items.push_back({.model = std::make_shared<const Model>(Model{mesh, std::move(graph), {}, {}, {}}),
                                .worldFromModel = randomMap(random, 2.0)});
         const Glb glb(glbOf(scene));
         QVERIFY(glb.isSound());

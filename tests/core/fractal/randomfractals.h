@@ -95,4 +95,44 @@ inline Mesh randomMesh(std::mt19937_64 &random)
     return mesh;
 }
 
+/// The corners of all faces.
+inline std::vector<naive::Point> points(const Mesh &mesh)
+{
+    std::vector<naive::Point> all;
+    for (const auto &face : mesh.faces) {
+        for (const std::uint32_t index : face) {
+            const glm::dvec3 &v = mesh.vertices[index];
+            all.push_back({v.x, v.y, v.z});
+        }
+    }
+    return all;
+}
+
+/// The levels of any description as maps, for folding points through them.
+struct Folder {
+    explicit Folder(const FractalDescription &description)
+        : levels(description.levels)
+    {
+        for (const TransformSet &set : description.sets) {
+            std::vector<naive::Affine> &list = maps.emplace_back();
+            for (const AffineMap &map : set.maps) {
+                list.push_back(naive::fromCore(map));
+            }
+            if (set.holdsIdentity) {
+                list.emplace_back();
+            }
+        }
+    }
+
+    /// Through one map of a level, or past it.
+    [[nodiscard]] naive::Point fold(Position position, const naive::Point &point, std::mt19937_64 &random) const
+    {
+        const std::vector<naive::Affine> &list = maps[levels.set(levels.locate(position).slot)];
+        return naive::applied(list[random() % list.size()], point);
+    }
+
+    const LevelSequence &levels;
+    std::vector<std::vector<naive::Affine>> maps;
+};
+
 }

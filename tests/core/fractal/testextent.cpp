@@ -54,7 +54,7 @@ bool isBoxOf(const Box &found, const Box &truth, double part)
     const glm::dvec3 size = truth.size();
     const double largest = std::max({size.x, size.y, size.z});
     const glm::dvec3 far = glm::max(glm::abs(truth.least), glm::abs(truth.greatest));
-    const double rounding = 1e-14 * std::max({far.x, far.y, far.z});
+    const double rounding = 1e-12 * std::max({far.x, far.y, far.z});
     for (int axis = 0; axis < 3; ++axis) {
         const double below = truth.least[axis] - found.least[axis];
         const double above = found.greatest[axis] - truth.greatest[axis];
@@ -63,6 +63,11 @@ bool isBoxOf(const Box &found, const Box &truth, double part)
         }
     }
     return true;
+}
+
+Box extentOf(const FractalGraph &graph, const Mesh &mesh, std::size_t budget = 20'000)
+{
+    return extent(graph, BoxBounds(graph, mesh), mesh, budget);
 }
 
 }
@@ -103,9 +108,9 @@ void TestExtent::theBoxHoldsEveryVertexAndLittleMore()
         }
         mesh.faces = {{0, 1, 2}, {1, 2, 3}};
         const FractalGraph graph = FractalGraph::build(fractal.description(), boundingSphere(mesh)).value();
-        const Box found = extent(graph, mesh);
+        const Box found = extentOf(graph, mesh);
         const Box truth = exactBox(fractal.levels(), fractal.maps, mesh);
-        if (!isBoxOf(found, truth, 0.03)) {
+        if (!isBoxOf(found, truth, 0.06)) {
             for (int axis = 0; axis < 3; ++axis) {
                 qWarning("found %.17g .. %.17g, is %.17g .. %.17g", found.least[axis], found.greatest[axis],
                          truth.least[axis], truth.greatest[axis]);
@@ -172,7 +177,8 @@ void TestExtent::examplesHaveTheirBoxes()
     QFETCH(QList<double>, box);
     const Sample fractal = sample(name, depth);
     const Box truth{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
-    QVERIFY(isBoxOf(extent(fractal.graph, fractal.mesh), truth, 0.03));
+    QVERIFY(
+        isBoxOf(extentOf(fractal.graph, fractal.mesh), truth, name == QLatin1String("romanesco") ? 0.03 : 1.0 / 256));
 }
 
 void TestExtent::deepFractalsHaveTheBoxOfTheirLimit_data()
@@ -192,17 +198,17 @@ void TestExtent::deepFractalsHaveTheBoxOfTheirLimit()
     QFETCH(quint64, depth);
     const Sample shallow = sample(name, 14);
     const Sample deep = sample(name, depth);
-    const Box limit = extent(shallow.graph, shallow.mesh);
-    QVERIFY(isBoxOf(extent(deep.graph, deep.mesh),
+    const Box limit = extentOf(shallow.graph, shallow.mesh);
+    QVERIFY(isBoxOf(extentOf(deep.graph, deep.mesh),
                     {limit.least + 0.03 * limit.size(), limit.greatest - 0.03 * limit.size()}, 0.08));
 }
 
 void TestExtent::aSmallBudgetStillHoldsAll()
 {
     const Sample tree = sample(QStringLiteral("tree"), 6);
-    const Box truth = extent(tree.graph, tree.mesh);
+    const Box truth = extentOf(tree.graph, tree.mesh);
     for (const std::size_t budget : {0u, 1u, 10u, 100u}) {
-        const Box rough = extent(tree.graph, tree.mesh, budget);
+        const Box rough = extentOf(tree.graph, tree.mesh, budget);
         for (int axis = 0; axis < 3; ++axis) {
             QVERIFY(rough.least[axis] <= truth.least[axis] + 1e-12);
             QVERIFY(rough.greatest[axis] >= truth.greatest[axis] - 1e-12);
@@ -215,10 +221,10 @@ void TestExtent::aMeshAloneHasItsOwnBox()
     Mesh mesh;
     mesh.vertices = {{9, 9, 9}, {1, 2, 3}, {-1, 5, 3}, {0, 0, 4}};
     mesh.faces = {{1, 2, 3}};
-    const Box box = extent(FractalGraph::ofMesh(boundingSphere(mesh)), mesh);
+    const Box box = extentOf(FractalGraph::ofMesh(boundingSphere(mesh)), mesh);
     QVERIFY(box.least == glm::dvec3(-1, 0, 3));
     QVERIFY(box.greatest == glm::dvec3(1, 5, 4));
-    const Box none = extent(FractalGraph::ofMesh(Sphere{}), Mesh{});
+    const Box none = extentOf(FractalGraph::ofMesh(Sphere{}), Mesh{});
     QVERIFY(none.least == glm::dvec3(0) && none.greatest == glm::dvec3(0));
 }
 

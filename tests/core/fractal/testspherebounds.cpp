@@ -29,45 +29,6 @@ bool holds(const Sphere &sphere, const Point &point, long double slack = 0)
     return distance(point, sphere.centre) <= sphere.radius * (1 + slack);
 }
 
-std::vector<Point> points(const Mesh &mesh)
-{
-    std::vector<Point> all;
-    for (const auto &face : mesh.faces) {
-        for (const std::uint32_t index : face) {
-            const glm::dvec3 &v = mesh.vertices[index];
-            all.push_back({v.x, v.y, v.z});
-        }
-    }
-    return all;
-}
-
-/// The levels of any description as maps, for folding points through them.
-struct Folder {
-    explicit Folder(const FractalDescription &description)
-        : levels(description.levels)
-    {
-        for (const TransformSet &set : description.sets) {
-            std::vector<Affine> &list = maps.emplace_back();
-            for (const AffineMap &map : set.maps) {
-                list.push_back(naive::fromCore(map));
-            }
-            if (set.holdsIdentity) {
-                list.emplace_back();
-            }
-        }
-    }
-
-    /// Through one map of a level, or past it.
-    [[nodiscard]] Point fold(Position position, const Point &point, std::mt19937_64 &random) const
-    {
-        const std::vector<Affine> &list = maps[levels.set(levels.locate(position).slot)];
-        return naive::applied(list[random() % list.size()], point);
-    }
-
-    const LevelSequence &levels;
-    std::vector<std::vector<Affine>> maps;
-};
-
 }
 
 class TestSphereBounds : public QObject

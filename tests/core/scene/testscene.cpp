@@ -23,15 +23,16 @@ std::shared_ptr<const Model> model(const QString &name, std::uint64_t depth)
 {
     Sample made = sample(name, depth);
     const auto mesh = std::make_shared<const Mesh>(std::move(made.mesh));
-    const Box box = extent(made.graph, *mesh);
-    return std::make_shared<const Model>(Model{mesh, std::move(made.graph), box, {}});
+    BoxBounds boxes(made.graph, *mesh);
+    const Box box = extent(made.graph, boxes, *mesh);
+    return std::make_shared<const Model>(Model{mesh, std::move(made.graph), std::move(boxes), box, {}});
 }
 
 std::shared_ptr<const Model> triangle()
 {
     const auto mesh = std::make_shared<const Mesh>(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
     FractalGraph graph = FractalGraph::ofMesh(boundingSphere(*mesh));
-    return std::make_shared<const Model>(Model{mesh, std::move(graph), {{0, 0, 0}, {1, 1, 0}}, {}});
+    return std::make_shared<const Model>(Model{mesh, std::move(graph), {}, {{0, 0, 0}, {1, 1, 0}}, {}});
 }
 
 /// The vertices of the Sierpinski example, written out by four plain loops in one.

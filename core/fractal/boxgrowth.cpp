@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "boxgrowth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <ranges>
+
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "levelruns.h"
+
+namespace romanesco {
+
+namespace {
+
+using Slot = LevelSequence::Slot;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// A sum of a few numbers, and what it may be off by: nothing where nothing was rounded, since over 10^18 levels any
+/// margin counts.
+class Sum
+{
+public:
+    void add(double factor, double value)
+    {
+        if (factor != 0.0 && value != 0.0) { // 0 times infinity is 0: what is infinite here is only too large
+            m_value += factor * value;
+            m_size += std::abs(factor * value);
+            m_roundings += (std::abs(factor) != 1.0 ? 1 : 0) + (m_isEmpty ? 0 : 1);
+            m_isEmpty = false;
+        }
+    }
+
+    [[nodiscard]] double atLeast() const { return m_value - epsilon * m_roundings * m_size; }
+    [[nodiscard]] double atMost() const { return m_value + epsilon * m_roundings * m_size; }
+
+private:
+    double m_value = 0.0;
+    double m_size = 0.0;
+    int m_roundings = 0;
+    bool m_isEmpty = true;
+};
+
+/// Round the image of a box, but for the translation where that is left out.
+Box image(const AffineMap &map, const Box &box, bool isMoved)
+{
+    Box result;
+    for (int row = 0; row < 3; ++row) {
+        Sum least;
+        Sum greatest;
+        least.add(1.0, isMoved ? map.translation[row] : 0.0);
+        greatest.add(1.0, isMoved ? map.translation[row] : 0.0);
+        for (int column = 0; column < 3; ++column) {
+            const double factor = map.linear[column][row];
+            least.add(factor, factor > 0.0 ? box.least[column] : box.greatest[column]);
+            greatest.add(factor, factor > 0.0 ? box.greatest[column] : box.least[column]);
+        }
+        result.least[row] = least.atLeast();
+        result.greatest[row] = greatest.atMost();
+    }
+    return result;
+}
+
+/// A linear map makes at most `factor` times it of a box round the origin.
+struct Stretched {
+    Box box;
+    double factor;
+};
+
+Box scaled(const Box &box, double factor)
+{
+    Box result = box;
+    for (int axis = 0; axis < 3; ++axis) { // nothing stays nothing, also times infinity
+        result.least[axis] *= box.least[axis] == 0.0 ? 1.0 : factor;
+        result.greatest[axis] *= box.greatest[axis] == 0.0 ? 1.0 : factor;
+    }
+    return result;
+}
+
+/// 1 + factor + factor² and so on, so many terms, rounded upwards.
+double sumOfPowers(double factor, std::uint64_t count)
+{
+    const auto terms = static_cast<double>(count);
+    if (factor == 1.0) {
+        return terms * (1.0 + epsilon);
+    }
+    const double sum = std::expm1(terms * std::log(factor)) / (factor - 1.0);
+    return std::min(sum, factor < 1.0 ? 1.0 / (1.0 - factor) : sum) * (1.0 + 1e-6);
+}
+
+/// Follows boxes up through levels. The maps of a level act on a box as intervals do; F, what some levels make of boxes,
+/// is monotone, and with G, the same maps without their translations, F(X + D) is within F(X) + G(D) for any box D round
+/// the origin.
+class Growing
+{
+public:
+    enum class Part { Whole, Linear };
+
+    explicit Growing(const FractalGraph &graph)
+        : m_graph(graph)
+    {
+    }
+
+    Box grown(const std::vector<LevelRun> &runs, Box box, Part part = Part::Whole, int nesting = 0) const
+    {
+        for (const auto &[slot, repeat, passes] : runs | std::views::reverse) {
+            if (repeat == 0) {
+                box = level(slot, box, part);
+            } else if (nesting == mostNesting) {
+                return everything;
+            } else {
+                const std::vector<LevelRun> pass = runsOfPass(m_graph.levels(), repeat);
+                box = part == Part::Whole ? repeated(pass, passes, box, nesting + 1)
+                                          : repeatedLinear(pass, passes, box, nesting + 1);
+            }
+        }
+        return box;
+    }
+
+private:
+    /// Each doubles the work.
+    static constexpr int mostNesting = 6;
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+    static constexpr Box everything{glm::dvec3(-infinity), glm::dvec3(infinity)};
+
+    Box level(Slot slot, const Box &box, Part part) const
+    {
+        const TransformSet &set = m_graph.setAt(slot);
+        Box result = set.holdsIdentity ? box : Box::ofNothing();
+        for (const AffineMap &map : set.maps) {
+            result = result.with(image(map, box, part == Part::Whole));
+        }
+        return result;
+    }
+
+    /// Some passes one by one, while what one makes may still settle. Those left each move sides out by G of what the one
+    /// before did.
+    Box repeated(const std::vector<LevelRun> &pass, std::uint64_t passes, Box box, int nesting) const
+    {
+        constexpr std::uint64_t mostAlone = 32;
+        const std::uint64_t alone = isSimple(pass) ? std::min(passes, mostAlone) : 0;
+        for (std::uint64_t i = 0; i < alone; ++i) {
+            box = grown(pass, box, Part::Whole, nesting);
+        }
+        if (alone == passes) {
+            return box;
+        }
+        const Box next = grown(pass, box, Part::Whole, nesting);
+        const Box out{glm::min(next.least - box.least, 0.0), glm::max(next.greatest - box.greatest, 0.0)};
+        const Stretched most = stretched(pass, out, nesting);
+        const Box all = scaled(most.box, sumOfPowers(most.factor, passes - alone));
+        for (int axis = 0; axis < 3; ++axis) {
+            Sum least;
+            least.add(1.0, box.least[axis]);
+            least.add(1.0, all.least[axis]);
+            box.least[axis] = least.atLeast();
+            Sum greatest;
+            greatest.add(1.0, box.greatest[axis]);
+            greatest.add(1.0, all.greatest[axis]);
+            box.greatest[axis] = greatest.atMost();
+        }
+        return box;
+    }
+
+    Box repeatedLinear(const std::vector<LevelRun> &pass, std::uint64_t passes, const Box &box, int nesting) const
+    {
+        const Stretched most = stretched(pass, box, nesting);
+        return scaled(most.box,
+                      most.factor == 1.0 ? 1.0 : std::pow(most.factor, static_cast<double>(passes)) * (1.0 + 1e-6));
+    }
+
+    /// Widens a box round the origin until G of it is no more than it, if that comes soon.
+    Stretched stretched(const std::vector<LevelRun> &pass, Box box, int nesting) const
+    {
+        const int rounds = isSimple(pass) ? 8 : 1;
+        double factor = 1.0;
+        for (int round = 0; round <= rounds; ++round) {
+            const Box next = grown(pass, box, Part::Linear, nesting);
+            factor = 0.0;
+            for (int axis = 0; axis < 3; ++axis) {
+                factor = std::max({factor, ratio(-next.least[axis], -box.least[axis]),
+                                   ratio(next.greatest[axis], box.greatest[axis])});
+            }
+            if (factor <= 1.0 || round == rounds) {
+                break;
+            }
+            box = box.with(next);
+        }
+        return {box, factor};
+    }
+
+    static double ratio(double a, double b) { return a == 0.0 ? 0.0 : a == b ? 1.0 : a / b * (1.0 + 2.0 * epsilon); }
+
+    static bool isSimple(const std::vector<LevelRun> &pass)
+    {
+        return std::ranges::all_of(pass, [](const LevelRun &run) { return run.repeat == 0; });
+    }
+
+    const FractalGraph &m_graph;
+};
+
+}
+
+Box grownBox(const FractalGraph &graph, Position begin, Position end, const Box &box)
+{
+    if (box.isEmpty()) {
+        return box;
+    }
+    const Box grown = Growing(graph).grown(runsBetween(graph.levels(), begin, end), box);
+    const Sphere sphere = graph.bound(begin);
+    return grown.within({sphere.centre - sphere.radius, sphere.centre + sphere.radius});
+}
+
+}
