@@ -15,6 +15,7 @@ namespace romanesco {
 namespace {
 
 constexpr Position longestTail = 4'096;
+constexpr Position longestNest = 256;
 constexpr std::size_t mostMaps = 1'000'000;
 
 /// Whether no level comes twice.
@@ -122,6 +123,16 @@ bool BoundLayout::Builder::isWhole(std::size_t index) const
 {
     const Stretch &stretch = m_layout.m_stretches[index];
     return stretch.ownCount == stretch.end - stretch.begin;
+}
+
+bool BoundLayout::Builder::isShortNest(std::size_t index) const
+{
+    const Stretch &stretch = m_layout.m_stretches[index];
+    const std::vector<LevelSequence::Repeat> &repeats = m_graph.levels().repeats();
+    const auto isInside = [&](const LevelSequence::Repeat &repeat) {
+        return repeat.firstSlot >= stretch.firstSlot && repeat.endSlot <= stretch.endSlot;
+    };
+    return stretch.end - stretch.begin <= longestNest && std::ranges::count_if(repeats, isInside) > 1;
 }
 
 bool BoundLayout::Builder::contracts(std::size_t index) const

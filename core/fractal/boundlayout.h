@@ -105,6 +105,9 @@ public:
     /// Whether all positions have their own now.
     [[nodiscard]] bool isWhole(std::size_t stretch) const;
 
+    /// Whether it has repeats in a repeat, of which shared nodes forget how often they go round, and few positions.
+    [[nodiscard]] bool isShortNest(std::size_t stretch) const;
+
     /// Whether every way round a repeat contracts, so that nodes may be shared.
     [[nodiscard]] bool contracts(std::size_t stretch) const;
     void addShared(std::size_t stretch);

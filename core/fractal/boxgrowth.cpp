@@ -114,7 +114,7 @@ public:
                 return everything;
             } else {
                 const std::vector<LevelRun> pass = runsOfPass(m_graph.levels(), repeat);
-                box = part == Part::Whole ? repeated(pass, passes, box, nesting + 1)
+                box = part == Part::Whole ? repeated(repeat, pass, passes, box, nesting + 1)
                                           : repeatedLinear(pass, passes, box, nesting + 1);
             }
         }
@@ -139,8 +139,12 @@ private:
 
     /// Some passes one by one, while what one makes may still settle. Those left each move sides out by G of what the one
     /// before did.
-    Box repeated(const std::vector<LevelRun> &pass, std::uint64_t passes, Box box, int nesting) const
+    Box repeated(std::uint32_t repeat, const std::vector<LevelRun> &pass, std::uint64_t passes, Box box,
+                 int nesting) const
     {
+        if (onlyMoves(repeat)) {
+            return sum(box, static_cast<double>(passes), grown(pass, {}, Part::Whole, nesting));
+        }
         constexpr std::uint64_t mostAlone = 32;
         const std::uint64_t alone = isSimple(pass) ? std::min(passes, mostAlone) : 0;
         for (std::uint64_t i = 0; i < alone; ++i) {
@@ -153,17 +157,34 @@ private:
         const Box out{glm::min(next.least - box.least, 0.0), glm::max(next.greatest - box.greatest, 0.0)};
         const Stretched most = stretched(pass, out, nesting);
         const Box all = scaled(most.box, sumOfPowers(most.factor, passes - alone));
+        return sum(box, 1.0, all);
+    }
+
+    /// Round all sums of a point of one box and so many times a point of the other.
+    static Box sum(const Box &box, double times, const Box &other)
+    {
+        Box result;
         for (int axis = 0; axis < 3; ++axis) {
             Sum least;
             least.add(1.0, box.least[axis]);
-            least.add(1.0, all.least[axis]);
-            box.least[axis] = least.atLeast();
+            least.add(times, other.least[axis]);
+            result.least[axis] = least.atLeast();
             Sum greatest;
             greatest.add(1.0, box.greatest[axis]);
-            greatest.add(1.0, all.greatest[axis]);
-            box.greatest[axis] = greatest.atMost();
+            greatest.add(times, other.greatest[axis]);
+            result.greatest[axis] = greatest.atMost();
         }
-        return box;
+        return result;
+    }
+
+    /// What it makes of a box then is the sum with what it makes of the origin.
+    [[nodiscard]] bool onlyMoves(std::uint32_t repeat) const
+    {
+        const LevelSequence::Repeat &slots = m_graph.levels().repeats()[repeat];
+        return std::ranges::all_of(std::views::iota(slots.firstSlot, slots.endSlot), [&](Slot slot) {
+            return std::ranges::all_of(m_graph.setAt(slot).maps,
+                                       [](const AffineMap &map) { return map.linear == glm::dmat3(1.0); });
+        });
     }
 
     Box repeatedLinear(const std::vector<LevelRun> &pass, std::uint64_t passes, const Box &box, int nesting) const

@@ -71,18 +71,20 @@ public:
     }
 
 private:
-    /// Until the levels have shrunk what the stretch is made of to little of their own size, or to nearly nothing.
+    /// Until the levels have shrunk what the stretch is made of, and its way to where they lead, to little of their own
+    /// size, or to nearly nothing.
     void addOwn(std::size_t stretch)
     {
         constexpr double little = 1.0 / 128.0;
         constexpr double nearlyNothing = 1e-12;
         const Stretch &place = m_layout.layout().stretches()[stretch];
-        const double whole = m_bounds.m_spheres[place.exit].radius;
-        const bool maySettle = m_layout.contracts(stretch);
+        const Sphere whole = m_bounds.m_spheres[place.exit];
+        const bool maySettle = m_layout.contracts(stretch) && !m_layout.isShortNest(stretch);
         double left = 1.0;
         while (m_layout.canAddOwn(stretch)) {
-            const double size = m_bounds.m_spheres[place.entry].radius;
-            if (maySettle && (left * whole <= little * size || left <= nearlyNothing)) {
+            const Sphere &made = m_bounds.m_spheres[place.entry];
+            const double way = glm::distance(whole.centre, made.centre) + whole.radius;
+            if (maySettle && (left * way <= little * made.radius || left <= nearlyNothing)) {
                 break;
             }
             left *= m_layout.addOwn(stretch);

@@ -168,6 +168,9 @@ public:
     Support run(Node node, const glm::dvec3 &direction, double tolerance)
     {
         const Support whole = m_parts.known(node, direction);
+        if (node != BoundLayout::end && m_graph.layout().steps(node).empty()) {
+            return whole;
+        }
         m_least = whole.least;
         expand({whole.greatest, node, 0, false, direction, 0.0, lengthOf(direction), 0.0, 0});
         while (!m_open.empty() && !m_open.top().isFinal && m_budget > 0

@@ -531,12 +531,12 @@ void TestBoxBounds::manyLevelsTakeTimeAsTheyAreMany_data()
     QTest::newRow("moves, #") << 1.0 << true;
 }
 
-/// 20,000 levels, each another set; what is not linear here takes minutes.
+/// 10,000 levels, each another set; what is not linear here takes minutes.
 void TestBoxBounds::manyLevelsTakeTimeAsTheyAreMany()
 {
     QFETCH(double, size);
     QFETCH(bool, mayPass);
-    constexpr int count = 20'000;
+    constexpr int count = 10'000;
     Fractal fractal;
     for (int i = 0; i < count; ++i) {
         fractal.maps.push_back(mapFromParts({0.5 * i / count, 0.1, 0}, {0.01 * i, 0, 1}, glm::dvec3(size)));
