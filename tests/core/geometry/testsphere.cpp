@@ -231,7 +231,7 @@ void TestSphere::strayVerticesDoNotCount()
     Mesh mesh;
     mesh.vertices = {{1e9, 0, 0}, {0, 0, 0}, {2, 0, 0}, {0, 1, 0}};
     QVERIFY(boundingSphere(mesh).isEmpty());
-    mesh.faces = {{1, 2, 3}};
+    mesh.faces.push_back({1, 2, 3});
     const Sphere sphere = boundingSphere(mesh);
     QVERIFY(sphere.radius < 1.2);
     for (const std::size_t i : {1u, 2u, 3u}) {
