@@ -105,6 +105,9 @@ void printText(const Input &input, const Summary &summary)
         std::println("scales       {:.6g} to {:.6g}: {}", summary.contraction->least, summary.contraction->greatest,
                      summary.isContracting ? "contracting" : "not contracting");
     }
+    if (summary.similarityDimension) {
+        std::println("dimension    {:.6g} (similarity)", *summary.similarityDimension);
+    }
     const Sphere bound = boundingSphere(scene);
     std::println("bounds       {} to {}", place(scene.extent.least), place(scene.extent.greatest));
     std::println("             within {:.6g} of {}", std::max(bound.radius, 0.0), place(bound.centre));
@@ -152,6 +155,8 @@ QJsonObject json(const Input &input, const Summary &summary)
         ? QJsonValue(QJsonObject{{QStringLiteral("min"), summary.contraction->least},
                                  {QStringLiteral("max"), summary.contraction->greatest}})
         : QJsonValue();
+    object[QStringLiteral("similarity_dimension")] =
+        summary.similarityDimension ? QJsonValue(*summary.similarityDimension) : QJsonValue();
     const Sphere bound = boundingSphere(scene);
     object[QStringLiteral("bounds")] = QJsonObject{{QStringLiteral("centre"), json(bound.centre)},
                                                    {QStringLiteral("radius"), std::max(bound.radius, 0.0)},

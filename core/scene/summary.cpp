@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/fractal/counts.h"
+#include "core/fractal/dimension.h"
 
 namespace romanesco {
 
@@ -61,6 +62,7 @@ Summary summarise(const Model &model)
         }
     }
     summary.isContracting = !summary.contraction || summary.contraction->greatest < 1.0;
+    summary.similarityDimension = similarityDimension(graph);
     return summary;
 }
 

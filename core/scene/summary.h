@@ -40,6 +40,9 @@ struct Summary {
         double greatest;
     };
     std::optional<Contraction> contraction;
+
+    /// See similarityDimension(); nothing where there are several items, or none.
+    std::optional<double> similarityDimension;
 };
 
 [[nodiscard]] Summary summarise(const Model &model);

@@ -83,6 +83,29 @@ private Q_SLOTS:
                  qPrintable(QString::number(flattened)));
     }
 
+    void infoTellsTheDimension()
+    {
+        const Outcome text = run({QStringLiteral("info"), examples + QStringLiteral("sierpinski.fdo")});
+        QVERIFY2(text.out.contains("\ndimension    2 (similarity)\n"), text.out);
+
+        const Outcome menger =
+            run({QStringLiteral("info"), QStringLiteral("--json"), examples + QStringLiteral("menger.fdo")});
+        const double dimension = QJsonDocument::fromJson(menger.out)[QStringLiteral("similarity_dimension")].toDouble();
+        QVERIFY2(std::abs(dimension - std::log(20) / std::log(3)) < 1e-9, menger.out);
+    }
+
+    void whatDoesNotShrinkHasNoDimension()
+    {
+        const Outcome text = run({QStringLiteral("info"), path("good.fdo")});
+        QCOMPARE(text.status, 0);
+        QVERIFY2(!text.out.contains("dimension"), text.out);
+
+        const Outcome json = run({QStringLiteral("info"), QStringLiteral("--json"), path("good.fdo")});
+        const QJsonObject object = QJsonDocument::fromJson(json.out).object();
+        QVERIFY(object.contains(QStringLiteral("similarity_dimension")));
+        QVERIFY(object[QStringLiteral("similarity_dimension")].isNull());
+    }
+
     void depthReplacesTheTextsDepth()
     {
         const Outcome outcome =
@@ -107,7 +130,8 @@ private Q_SLOTS:
         QCOMPARE(object[QStringLiteral("instances_as_written")].toString(), QStringLiteral("18"));
         QCOMPARE(object[QStringLiteral("instances_distinct")].toString(), QStringLiteral("10"));
         QCOMPARE(object[QStringLiteral("faces_as_written")].toString(), QStringLiteral("18"));
-        for (const char *key : {"base", "faces_per_base", "levels", "depth", "transforms_per_iteration"}) {
+        for (const char *key :
+             {"base", "faces_per_base", "levels", "depth", "transforms_per_iteration", "similarity_dimension"}) {
             QVERIFY2(object.contains(QLatin1String(key)) && object[QLatin1String(key)].isNull(), key);
         }
         const QJsonObject bounds = object[QStringLiteral("bounds")].toObject();

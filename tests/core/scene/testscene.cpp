@@ -176,6 +176,7 @@ void TestScene::sumsCountEveryItem()
     QVERIFY(summary.isContracting);
     QVERIFY(std::abs(summary.contraction->least - 0.5) < 1e-12);
     QVERIFY(std::abs(summary.contraction->greatest - 0.74) < 1e-12);
+    QVERIFY(!summary.similarityDimension);
 }
 
 void TestScene::aSceneOfOneItemIsSummedUpAsItsModel()
@@ -185,6 +186,7 @@ void TestScene::aSceneOfOneItemIsSummedUpAsItsModel()
     const Summary summary = summarise(scene);
     QCOMPARE(*summary.facesPerBase, 4u);
     QCOMPARE(summary.iteration->depth, 4u);
+    QVERIFY(std::abs(*summary.similarityDimension - 2.0) < 1e-12); // four copies of a half
     QCOMPARE(summary.instancesAsWritten.toString(), std::string("256"));
 }
 
