@@ -4,17 +4,23 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
+#include <istream>
 #include <memory>
 #include <spanstream>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 #include <benchmark/benchmark.h>
 #include <tiny_obj_loader.h>
 
+#include "core/base/file.h"
 #include "core/formats/objreader.h"
 #include "objtexts.h"
 
@@ -28,7 +34,7 @@ namespace {
     std::exit(1);
 }
 
-/// Each gives the faces that it read.
+/// Readers of a text, and of a file by the reader's own way to open it, give the faces that they read.
 std::size_t readOurs(const std::string &text)
 {
     const ObjResult result = readObj(text);
@@ -38,14 +44,27 @@ std::size_t readOurs(const std::string &text)
     return result.mesh.faces.size();
 }
 
-std::size_t readTinyObj(const std::string &text)
+std::string textOf(const char *path)
+{
+    auto text = DiskFiles().read(path);
+    if (!text) {
+        fail(text.error().c_str());
+    }
+    return std::move(*text);
+}
+
+std::size_t readOursFile(const char *path)
+{
+    return readOurs(textOf(path));
+}
+
+std::size_t readTinyObjStream(std::istream &stream)
 {
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
     std::string warning;
     std::string error;
-    std::ispanstream stream(text);
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream)) {
         fail(error.c_str());
     }
@@ -56,10 +75,21 @@ std::size_t readTinyObj(const std::string &text)
     return faces;
 }
 
-std::size_t readAssimp(const std::string &text)
+std::size_t readTinyObj(const std::string &text)
 {
-    Assimp::Importer importer;
-    const aiScene *scene = importer.ReadFileFromMemory(text.data(), text.size(), 0, "obj");
+    std::ispanstream stream(text);
+    return readTinyObjStream(stream);
+}
+
+std::size_t readTinyObjFile(const char *path)
+{
+    std::ifstream stream(path);
+    return readTinyObjStream(stream);
+}
+
+std::size_t facesOf(const Assimp::Importer &importer)
+{
+    const aiScene *scene = importer.GetScene();
     if (scene == nullptr) {
         fail(importer.GetErrorString());
     }
@@ -68,6 +98,20 @@ std::size_t readAssimp(const std::string &text)
         faces += scene->mMeshes[i]->mNumFaces;
     }
     return faces;
+}
+
+std::size_t readAssimp(const std::string &text)
+{
+    Assimp::Importer importer;
+    importer.ReadFileFromMemory(text.data(), text.size(), 0, "obj");
+    return facesOf(importer);
+}
+
+std::size_t readAssimpFile(const char *path)
+{
+    Assimp::Importer importer;
+    importer.ReadFile(path, 0);
+    return facesOf(importer);
 }
 
 /// What no reader can be faster than.
@@ -79,14 +123,21 @@ std::size_t copyOnly(const std::string &text)
     return 0;
 }
 
+/// What this program takes by itself.
+std::size_t ignoreFile(const char * /*path*/)
+{
+    return 0;
+}
+
 struct Reader {
     const char *name;
     std::size_t (*read)(const std::string &text);
+    std::size_t (*readFile)(const char *path);
 };
-constexpr Reader readers[] = {{"romanesco", readOurs},
-                              {"tinyobjloader", readTinyObj},
-                              {"assimp", readAssimp},
-                              {"memcpy", copyOnly}};
+constexpr Reader readers[] = {{"romanesco", readOurs, readOursFile},
+                              {"tinyobjloader", readTinyObj, readTinyObjFile},
+                              {"assimp", readAssimp, readAssimpFile},
+                              {"memcpy", copyOnly, ignoreFile}};
 
 void read(benchmark::State &state, const Reader &reader, const std::string &text)
 {
@@ -96,16 +147,6 @@ void read(benchmark::State &state, const Reader &reader, const std::string &text
     }
     state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
     state.counters["faces"] = static_cast<double>(faces);
-}
-
-std::string textOf(const char *path)
-{
-    std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file) {
-        fail("cannot read the file");
-    }
-    return text;
 }
 
 void add(const std::string &name, std::string text)
@@ -118,20 +159,23 @@ void add(const std::string &name, std::string text)
     }
 }
 
-/// The most memory that a program which reads the file and then lets one of the readers have it has used.
-int peak(std::string_view name, const char *path)
+/// Each reader in a process of its own: the most memory that it had at once.
+int printPeaks(const char *path)
 {
-    const std::string text = textOf(path);
     for (const Reader &reader : readers) {
-        if (name == reader.name) {
-            std::printf("%zu faces of %.1f MB\n", reader.read(text), static_cast<double>(text.size()) * 1e-6);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            std::printf("%-14s %8zu faces", reader.name, reader.readFile(path));
+            std::fflush(stdout);
+            std::_Exit(0);
         }
-    }
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmHWM")) {
-            std::printf("%s\n", line.c_str());
+        int status = 0;
+        rusage usage{};
+        if (child < 0 || ::wait4(child, &status, 0, &usage) != child || status != 0) {
+            fail("no process, or it failed");
         }
+        std::printf(" %8.1f MiB\n", static_cast<double>(usage.ru_maxrss) / 1024.0);
+        std::fflush(stdout); // else the next process prints it again
     }
     return 0;
 }
@@ -140,7 +184,7 @@ int peak(std::string_view name, const char *path)
 
 /// bench_obj [FILE.obj…] [Google Benchmark's options]   our reader beside others: bytes a second of processor time
 /// bench_obj make FACES export|exact                      writes a generated text to stdout
-/// bench_obj peak READER FILE.obj                         the most memory that reading takes
+/// bench_obj peak FILE.obj                                the most memory that each takes for a file
 int main(int argc, char **argv)
 {
     const std::string_view mode = argc > 1 ? argv[1] : "";
@@ -149,8 +193,8 @@ int main(int argc, char **argv)
         const std::string text = objText(std::strtoull(argv[2], nullptr, 10), style);
         return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() ? 0 : 1;
     }
-    if (mode == "peak" && argc == 4) {
-        return peak(argv[2], argv[3]);
+    if (mode == "peak" && argc == 3) {
+        return printPeaks(argv[2]);
     }
     benchmark::Initialize(&argc, argv);
     add("export/237664", objText(237'664, ObjStyle::Export));
