@@ -54,6 +54,13 @@ AffineMap mirrored(const AffineMap &map)
             flipped(map.translation)};
 }
 
+/// All of glTF's have length 1; one without a direction, as faces without an area have, gets some.
+glm::dvec3 unitNormal(const glm::dmat3 &matrix, const glm::dvec3 &normal)
+{
+    const glm::dvec3 unit = transformedNormal(matrix, transformedNormal(glm::dmat3(1.0), normal));
+    return unit == glm::dvec3(0.0) ? glm::dvec3(0.0, 0.0, 1.0) : unit;
+}
+
 char *put(char *to, const glm::vec3 &v)
 {
     return putBinary(putBinary(putBinary(to, v.x), v.y), v.z);
@@ -342,7 +349,7 @@ private:
                 char *to = m_out.room(primitive.stride());
                 to = put(to, glm::vec3(flipped(copy.worldFromMesh(mesh.vertices[vertex.position]))));
                 if (primitive.hasNormals) {
-                    to = put(to, glm::vec3(flipped(transformedNormal(normals, mesh.normals[vertex.normal]))));
+                    to = put(to, glm::vec3(flipped(unitNormal(normals, mesh.normals[vertex.normal]))));
                 }
                 if (primitive.hasTextureCoordinates) {
                     to = putTextureCoordinates(to, mesh, vertex.textureCoordinates);

@@ -13,9 +13,10 @@ namespace {
 class PrimitiveBuilder
 {
 public:
-    PrimitiveBuilder(const Mesh &mesh, std::uint32_t material)
+    PrimitiveBuilder(const Mesh &mesh, std::uint32_t material, bool isTextured)
         : m_mesh(mesh)
     {
+        m_primitive.hasTextureCoordinates = isTextured;
         m_primitive.material = material;
     }
 
@@ -39,7 +40,7 @@ public:
     {
         const auto &vertices = m_primitive.vertices;
         m_primitive.hasNormals = !std::ranges::contains(vertices, Mesh::none, &GltfPrimitive::Vertex::normal);
-        m_primitive.hasTextureCoordinates =
+        m_primitive.hasTextureCoordinates |=
             std::ranges::any_of(vertices, [](const auto &v) { return v.textureCoordinates != Mesh::none; });
         m_primitive.hasColours = !m_mesh.colours.empty();
         return std::move(m_primitive);
@@ -64,7 +65,9 @@ std::vector<GltfPrimitive> primitivesOf(const Mesh &mesh, const MaterialTable &m
     std::map<std::uint32_t, PrimitiveBuilder> builders;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::uint32_t material = materials.entryOf(mesh, parts[i].material);
-        PrimitiveBuilder &builder = builders.try_emplace(material, mesh, material).first->second;
+        const bool isTextured =
+            material != Mesh::none && !materials.entries()[material].material->diffuseTexture.empty();
+        PrimitiveBuilder &builder = builders.try_emplace(material, mesh, material, isTextured).first->second;
         for (std::uint32_t face = parts[i].firstFace; face < endOfPart(mesh, parts, i); ++face) {
             builder.add(face);
         }

@@ -24,7 +24,7 @@ struct GltfPrimitive {
     };
     std::vector<Vertex> vertices;
     std::vector<Mesh::Face> faces;
-    /// Whether all vertices have a normal, and some texture coordinates.
+    /// Whether all vertices have a normal; and some texture coordinates, or the material a texture, which needs them.
     bool hasNormals = false;
     bool hasTextureCoordinates = false;
     bool hasColours = false;

@@ -6,19 +6,24 @@
 #include <charconv>
 #include <format>
 
+#include "core/text/unicode.h"
+
 namespace romanesco {
 
 std::string jsonString(std::string_view text)
 {
     std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            json += '\\';
-            json += c;
-        } else if (static_cast<unsigned char>(c) < ' ') {
-            json += std::format("\\u{:04x}", static_cast<unsigned>(c));
+    while (!text.empty()) {
+        const CodePoint point = firstCodePoint(text);
+        const std::string_view bytes = text.substr(0, point.length);
+        text.remove_prefix(point.length);
+        if (!point.isValid) {
+            json += "\xEF\xBF\xBD";
+        } else if (point.value < U' ') {
+            json += std::format("\\u{:04x}", static_cast<unsigned>(point.value));
         } else {
-            json += c;
+            json += bytes == "\"" || bytes == "\\" ? "\\" : "";
+            json += bytes;
         }
     }
     return json + '"';

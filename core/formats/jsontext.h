@@ -8,7 +8,7 @@
 
 namespace romanesco {
 
-/// A JSON string, quotes included. Bytes that are no UTF-8 pass as they are.
+/// A JSON string, quotes included. Bytes that are no UTF-8 become U+FFFD each: JSON has no others.
 [[nodiscard]] std::string jsonString(std::string_view text);
 
 /// The shortest digits that read back as the same number; finite.

@@ -24,6 +24,11 @@ glm::dvec3 scaled(const glm::dvec3 &v, int exponent)
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
+glm::dvec3 nearOne(const glm::dvec3 &v)
+{
+    return scaled(v, -exponentOf(v));
+}
+
 /// Columns near length 1, whatever they were: products neither overflow nor vanish.
 struct Columns {
     std::array<glm::dvec3, 3> unit;
@@ -75,9 +80,13 @@ glm::dmat3 normalMatrix(const glm::dmat3 &linear)
 
 glm::dvec3 transformedNormal(const glm::dmat3 &matrix, const glm::dvec3 &normal)
 {
-    const glm::dvec3 along = matrix * normal;
-    const double length = glm::length(along);
-    return length > 0.0 && std::isfinite(length) ? along / length : normal;
+    glm::dvec3 along = matrix * normal;
+    double length = glm::length(along);
+    if (!(length > 1e-100 && length < 1e100)) { // squares may have vanished or overflown
+        along = nearOne(matrix * nearOne(normal));
+        length = glm::length(along);
+    }
+    return length > 0.0 ? along / length : normal;
 }
 
 }

@@ -31,7 +31,8 @@ public:
         }
         const std::size_t size = word(bytes, 12);
         json = QJsonDocument::fromJson(QByteArray(bytes.data() + 20, static_cast<qsizetype>(size))).object();
-        if (20 + size < bytes.size()) {
+        m_isSound = !json.isEmpty();
+        if (m_isSound && 20 + size < bytes.size()) {
             m_isSound = bytes.substr(24 + size, 4) == std::string("BIN\0", 4)
                 && word(bytes, 20 + size) == bytes.size() - 28 - size
                 && at("buffers", 0)["byteLength"].toInteger() == static_cast<qint64>(bytes.size() - 28 - size);
@@ -342,7 +343,10 @@ private Q_SLOTS:
     void itemsShareTheirMesh();
     void otherProgramsReadBakedMeshes();
     void cornersOfUnlikeAttributesAreVertices();
+    void normalsHaveLengthOne();
     void materialsAndTexturesAreEmbedded();
+    void whatHasATextureHasItsCoordinates();
+    void namesAreUtf8();
     void texturesThatCannotBeReadAreCounted();
     void whatGlbCannotHoldIsRefused();
     void bytesAreForecast();
@@ -486,6 +490,63 @@ void TestGlbExport::cornersOfUnlikeAttributesAreVertices()
     QCOMPARE(glb.elements(attributes["NORMAL"].toInteger()).back(),
              (std::vector<double>{0, double(0.6F), double(-0.8F)}));
     QCOMPARE(glb.elements(attributes["COLOR_0"].toInteger()).back(), (std::vector<double>{1, 0, 0}));
+}
+
+void TestGlbExport::normalsHaveLengthOne()
+{
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces = {{0, 1, 2}, {0, 1, 0}};
+    mesh.normals = {{0, 0, 5}, {1e200, 1e200, 0}, {0, 1e-200, 0}, {0, 0, 0}};
+    mesh.faceNormals = {{0, 1, 2}, {3, 3, 3}};
+    Scene scene = sceneOf(modelOfMesh(std::make_shared<const Mesh>(mesh)));
+    for (const glm::dmat3 &linear :
+         {glm::dmat3(1, 0, 0, 1, 1, 0, 0, 0, 1), glm::dmat3(1, 0, 0, 1, 0, 0, 0, 0, 1), glm::dmat3(0.0)}) {
+        scene.items[0].worldFromModel.linear = linear;
+        const Glb glb(glbOf(scene));
+        QVERIFY(glb.isSound());
+        const QJsonObject primitive = glb.at("meshes", 0)["primitives"].toArray()[0].toObject();
+        const auto normals = glb.elements(primitive["attributes"].toObject()["NORMAL"].toInteger());
+        QCOMPARE(normals.size(), std::size_t{5});
+        for (const std::vector<double> &n : normals) {
+            QVERIFY(std::abs(std::hypot(n[0], n[1], n[2]) - 1) < 1e-6);
+        }
+    }
+}
+
+/// A material whose texture has none to go by is an error in glTF.
+void TestGlbExport::whatHasATextureHasItsCoordinates()
+{
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces = {{0, 1, 2}, {0, 2, 1}};
+    mesh.materials.resize(2);
+    mesh.materials[0].name = "plain";
+    mesh.materials[1].name = "bark";
+    mesh.materials[1].diffuseTexture = "bark.png";
+    mesh.parts = {{0, 0, Mesh::none, 0}, {1, 1, Mesh::none, 0}};
+    const Glb glb(glbOf(sceneOf(modelOfMesh(std::make_shared<const Mesh>(mesh)))));
+    QVERIFY(glb.isSound());
+    const QJsonArray primitives = glb.at("meshes", 0)["primitives"].toArray();
+    QCOMPARE(primitives.size(), 2);
+    for (const QJsonValue &value : primitives) {
+        const QJsonObject primitive = value.toObject();
+        const bool isBark = glb.at("materials", primitive["material"].toInteger())["name"].toString() == u"bark";
+        QCOMPARE(primitive["attributes"].toObject().contains("TEXCOORD_0"), isBark);
+    }
+}
+
+void TestGlbExport::namesAreUtf8()
+{
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces = {{0, 1, 2}};
+    mesh.materials.resize(1);
+    mesh.materials[0].name = "\xE4pfel \\ \"Äpfel\" \xF0\x9F\x8D\x8E\xC3";
+    mesh.parts = {{0, 0, Mesh::none, 0}};
+    const Glb glb(glbOf(sceneOf(modelOfMesh(std::make_shared<const Mesh>(mesh)))));
+    QVERIFY(glb.isSound());
+    QCOMPARE(glb.at("materials", 0)["name"].toString(), QStringLiteral(u"\uFFFDpfel \\ \"Äpfel\" \U0001F34E\uFFFD"));
 }
 
 void TestGlbExport::materialsAndTexturesAreEmbedded()

@@ -48,6 +48,7 @@ private Q_SLOTS:
     void flatMapsAreNotMirrors();
     void normalsStandOnTheImagesOfTheirFaces();
     void normalsPointToTheSameSideAfterAMirror();
+    void normalsOfAnyLengthHaveADirection();
     void whatHasNoDirectionStaysAsItIs();
 };
 
@@ -105,12 +106,23 @@ void TestNormals::normalsPointToTheSameSideAfterAMirror()
     QCOMPARE(transformedNormal(normalMatrix(mirror * 1e-200), {1, 0, 0}), glm::dvec3(-1, 0, 0));
 }
 
+void TestNormals::normalsOfAnyLengthHaveADirection()
+{
+    const glm::dmat3 turned(0, 1, 0, -1, 0, 0, 0, 0, 1);
+    for (const double length : {1e-320, 1e-200, 1e200, 1.7e308}) {
+        const glm::dvec3 normal = transformedNormal(turned, glm::dvec3(3, 4, 0) * (length / 4));
+        QVERIFY2(glm::distance(normal, glm::dvec3(-0.8, 0.6, 0)) < (length < 1e-300 ? 1e-3 : 1e-15),
+                 qPrintable(QString::number(length)));
+    }
+}
+
 void TestNormals::whatHasNoDirectionStaysAsItIs()
 {
     const glm::dmat3 flat(1.0, 0, 0, 0, 1, 0, 0, 0, 0);
     QCOMPARE(transformedNormal(normalMatrix(flat), {0, 0, 4}), glm::dvec3(0, 0, 1));
     QCOMPARE(transformedNormal(normalMatrix(flat), {1, 0, 0}), glm::dvec3(1, 0, 0));
     QCOMPARE(transformedNormal(normalMatrix(glm::dmat3(0.0)), {0, 5, 0}), glm::dvec3(0, 5, 0));
+    QCOMPARE(transformedNormal(glm::dmat3(1.0), {0, 0, 0}), glm::dvec3(0, 0, 0));
 }
 
 }
