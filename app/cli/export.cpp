@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <format>
@@ -14,6 +15,7 @@
 
 #include <QCommandLineParser>
 #include <QFile>
+#include <QLocale>
 
 #include "core/export/exporter.h"
 #include "core/formats/numbertext.h"
@@ -123,6 +125,15 @@ void printWeld(std::FILE *stream, const WeldReport &weld)
     } else {
         std::println(stream, "closed       no, {} edges are open", weld.openEdges);
     }
+}
+
+/// "2.67", "42.2", "108,000", of 1 and above.
+std::string threeDigits(double number)
+{
+    const int power = static_cast<int>(std::log10(number)) - 2;
+    const double unit = std::pow(10.0, power);
+    const QLocale english(QLocale::English, QLocale::UnitedStates);
+    return english.toString(std::round(number / unit) * unit, 'f', std::max(-power, 0)).toStdString();
 }
 
 int refuse(const QString &file, const std::string &words)
@@ -242,9 +253,10 @@ int runExport(const QStringList &arguments)
     }
     std::println(stream, "bytes        {}", report->bytes);
     std::println(stream, "seconds      {:.3f}", seconds);
-    std::println(stream, "source       {} bytes, {:.3g} times less", input->sourceBytes,
-                 static_cast<double>(report->bytes)
-                     / static_cast<double>(std::max<std::uint64_t>(input->sourceBytes, 1)));
+    const double ratio =
+        static_cast<double>(report->bytes) / static_cast<double>(std::max<std::uint64_t>(input->sourceBytes, 1));
+    std::println(stream, "source       {} bytes, {} times {}", input->sourceBytes,
+                 threeDigits(std::max(ratio, 1.0 / ratio)), ratio < 1.0 ? "more" : "less");
     return Done;
 }
 

@@ -46,6 +46,7 @@ private Q_SLOTS:
         write(path("bad.fdo"), "v 1 0 0\n<$>. nothing\n");
         write(path("a.sdo"),
               "f \"a.fdo\" ((0, 5, 0), #, #)\no \"triangle.obj\" #\np \"triangle.obj\" ((9, 0, 0), #, #) 0.5\n");
+        write(path("wordy.obj"), '#' + QByteArray(400, '.') + '\n' + triangle);
         write(path("paint.mtl"), "newmtl red\nKd 1 0 0\n");
         write(path("painted.obj"), "mtllib paint.mtl\n" + triangle.chopped(8) + "usemtl red\nf 1 2 3\n");
         write(path("painted.fdo"), "<$>. \"painted.obj\"\n");
@@ -69,6 +70,35 @@ private Q_SLOTS:
                 .arg(bytesOf(path("out.obj")).size())
                 .arg(source));
         QVERIFY2(report.match(QString::fromUtf8(outcome.out)).hasMatch(), outcome.out);
+    }
+
+    void theSourceIsSoManyTimesLess_data()
+    {
+        QTest::addColumn<QString>("input");
+        QTest::addColumn<QStringList>("more");
+        QTest::addColumn<QString>("form");
+        QTest::newRow("more") << "wordy.obj" << QStringList() << "[1-9]\\.[0-9]{2}";
+        QTest::newRow("ones") << "a.fdo" << QStringList{"--depth", "9"} << "[1-9]\\.[0-9]{2}";
+        QTest::newRow("tens") << "a.fdo" << QStringList{"--depth", "50"} << "[1-9][0-9]\\.[0-9]";
+        QTest::newRow("hundreds") << "a.fdo" << QStringList{"--depth", "800"} << "[1-9][0-9]{2}";
+        QTest::newRow("thousands") << "a.fdo" << QStringList{"--depth", "8000"} << "[1-9],[0-9]{2}0";
+        QTest::newRow("hundred thousands") << "a.fdo" << QStringList{"--depth", "300000"} << "[1-9][0-9]{2},000";
+    }
+
+    /// In three digits and as people write them.
+    void theSourceIsSoManyTimesLess()
+    {
+        QFETCH(const QString, input);
+        QFETCH(const QStringList, more);
+        QFETCH(const QString, form);
+        const Outcome outcome = exportTo(m_folder->filePath(input), path("out.obj"), more);
+        const QRegularExpression line(QStringLiteral("\nsource +([0-9]+) bytes, (%1) times (less|more)\n").arg(form));
+        const QRegularExpressionMatch match = line.match(QString::fromUtf8(outcome.out));
+        QVERIFY2(match.hasMatch(), outcome.out);
+        const double ratio = static_cast<double>(bytesOf(path("out.obj")).size()) / match.captured(1).toDouble();
+        const double told = match.captured(2).remove(u',').toDouble();
+        QCOMPARE(match.captured(3), ratio < 1 ? QStringLiteral("more") : QStringLiteral("less"));
+        QVERIFY2(std::abs(told / std::max(ratio, 1 / ratio) - 1) < 0.005, outcome.out);
     }
 
     void aSceneIsWrittenWithAllItsItems()
