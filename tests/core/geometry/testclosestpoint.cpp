@@ -3,34 +3,16 @@
 #include "core/geometry/closestpoint.h"
 
 #include <algorithm>
-#include <random>
 
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "tests/core/geometry/triangletruth.h"
-#include "tests/core/geometry/wild.h"
+#include "tests/core/geometry/triangles.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
 
 namespace {
-
-Real trueDistance(const Triangle &triangle, const glm::dvec3 &p)
-{
-    return truth::distance<Real>({exact(triangle[0]), exact(triangle[1]), exact(triangle[2])}, exact(p));
-}
-
-double largestOffset(const Triangle &triangle, const glm::dvec3 &p)
-{
-    double size = 0.0;
-    for (const glm::dvec3 &vertex : triangle) {
-        for (int axis = 0; axis < 3; ++axis) {
-            size = std::max(size, std::abs(vertex[axis] - p[axis]));
-        }
-    }
-    return size;
-}
 
 /// What is promised of an answer. The point itself is rounded to doubles where p is.
 void requireClosest(const Triangle &triangle, const glm::dvec3 &p)
@@ -45,25 +27,6 @@ void requireClosest(const Triangle &triangle, const glm::dvec3 &p)
     RC_ASSERT(trueDistance(triangle, answer.point) <= 8 * unit + ulp);
     RC_ASSERT(abs(distance(exact(p), exact(answer.point)) - Real(answer.distance)) <= 8 * unit + ulp);
 }
-
-class Draw
-{
-public:
-    explicit Draw(std::uint32_t seed)
-        : m_engine(seed)
-    {
-    }
-
-    double number(double least, double greatest)
-    {
-        return std::uniform_real_distribution<double>(least, greatest)(m_engine);
-    }
-    glm::dvec3 vector(double size = 1.0) { return {number(-size, size), number(-size, size), number(-size, size)}; }
-    double size(int least, int greatest) { return std::pow(10.0, number(least, greatest)); }
-
-private:
-    std::mt19937 m_engine;
-};
 
 }
 
@@ -80,18 +43,9 @@ private Q_SLOTS:
     void pointsOfTheTriangleAreAtNoDistance();
 };
 
-enum class Shape { Plain, Far, Needle, Sliver, Segment, Point, NearPlane };
-
 void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer_data()
 {
-    QTest::addColumn<Shape>("shape");
-    QTest::newRow("plain") << Shape::Plain;
-    QTest::newRow("far from the origin") << Shape::Far;
-    QTest::newRow("one short edge") << Shape::Needle;
-    QTest::newRow("three vertices nearly in a row") << Shape::Sliver;
-    QTest::newRow("three vertices in a row") << Shape::Segment;
-    QTest::newRow("one point") << Shape::Point;
-    QTest::newRow("seen from near its plane") << Shape::NearPlane;
+    addShapes();
 }
 
 void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer()
@@ -99,35 +53,7 @@ void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer()
     QFETCH(Shape, shape);
     QVERIFY(rc::check([shape](std::uint32_t seed) {
         Draw draw(seed);
-        Triangle triangle{draw.vector(), draw.vector(), draw.vector()};
-        glm::dvec3 p = draw.vector(draw.size(-3, 2));
-        const glm::dvec3 along = triangle[1] - triangle[0];
-        switch (shape) {
-        case Shape::Plain:
-            break;
-        case Shape::Far: {
-            const glm::dvec3 away = draw.vector(draw.size(3, 12));
-            triangle = {triangle[0] + away, triangle[1] + away, triangle[2] + away};
-            p += away;
-            break;
-        }
-        case Shape::Needle:
-            triangle[2] = triangle[1] + draw.vector(draw.size(-17, -3));
-            break;
-        case Shape::Sliver:
-            triangle[2] = triangle[0] + draw.number(-1.0, 2.0) * along + draw.vector(draw.size(-17, -3));
-            break;
-        case Shape::Segment:
-            triangle[2] = triangle[0] + (draw.number(0.0, 1.0) < 0.5 ? 0.5 : 2.0) * along;
-            break;
-        case Shape::Point:
-            triangle[1] = triangle[2] = triangle[0];
-            break;
-        case Shape::NearPlane:
-            p = triangle[0] + draw.number(-1.0, 2.0) * along + draw.number(-1.0, 2.0) * (triangle[2] - triangle[0])
-                + draw.vector(draw.size(-20, -6));
-            break;
-        }
+        const auto [triangle, p] = trianglePoint(shape, draw);
         requireClosest(triangle, p);
     }));
 }
