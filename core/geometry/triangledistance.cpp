@@ -39,6 +39,16 @@ Nearest at(const glm::dvec3 &point)
     return {point, point};
 }
 
+/// On the edge from a to b, divided as the two numbers are, which are the square of its length together.
+Nearest between(const glm::dvec3 &a, const glm::dvec3 &b, double fromA, double toB)
+{
+    const glm::dvec3 edge = b - a;
+    const double perSquare = 1.0 / (fromA + toB);
+    const glm::dvec3 point = a + fromA * perSquare * edge;
+    // close to the edge, the way to the point is but rounding: as far as it goes along, that is taken off
+    return {point, point - glm::dot(point, edge) * perSquare * edge};
+}
+
 /// The point of a triangle nearest to the origin; or NaN, or a point of the triangle that is not the nearest. The
 /// weights of its vertices are from 0 to 1, so that it is within rounding of the triangle.
 Nearest nearestToOrigin(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dvec3 &c)
@@ -57,7 +67,7 @@ Nearest nearestToOrigin(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dve
     }
     const double weightC = d1 * d4 - d3 * d2;
     if (weightC <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        return at(a + d1 / (d1 - d3) * ab);
+        return between(a, b, d1, -d3);
     }
     const double d5 = -glm::dot(ab, c);
     const double d6 = -glm::dot(ac, c);
@@ -66,17 +76,17 @@ Nearest nearestToOrigin(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dve
     }
     const double weightB = d5 * d2 - d1 * d6;
     if (weightB <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        return at(a + d2 / (d2 - d6) * ac);
+        return between(a, c, d2, -d6);
     }
     const double weightA = d3 * d6 - d5 * d4;
     if (weightA <= 0.0 && d4 >= d3 && d5 >= d6) {
-        return at(b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b));
+        return between(b, c, d4 - d3, d5 - d6);
     }
     if (!(weightA >= 0.0 && weightB >= 0.0 && weightC >= 0.0)) {
         return at(glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
     }
     const double share = 1.0 / (weightA + weightB + weightC);
-    // close to the plane, the way to the point is but rounding
+    // close to the face, the way to the point is but rounding
     const glm::dvec3 normal = glm::cross(ab, ac);
     return {a + weightB * share * ab + weightC * share * ac, glm::dot(normal, a) < 0.0 ? -normal : normal};
 }

@@ -15,12 +15,12 @@ struct TriangleDistance {
 };
 
 /// How far p is from a triangle, at a quarter of the cost of closestPoint() (30 to 60 ns): to tell which of many is
-/// nearest. The error is 32·u·M, with u and M as there. Nothing where that could not be proved: up to 1 % of triangles
-/// that p is near to, those that are a segment or a point, M below 1e-70 or above 1e70.
+/// nearest. The error is 32·u·M, with u and M as there. Nothing where that could not be proved: a needle in 1,000,
+/// triangles that are a segment or a point, M below 1e-70 or above 1e70.
 ///
 /// The regions of vertices, edges and face of Ericson 2005, 5.1.5, in double, whose point may be off by the size of a
-/// needle, or NaN. It is trusted where a plane proves it, across the way to the point or the face's own: all vertices
-/// must be beyond it, at the distance found but for 16·u·M.
+/// needle, or NaN. It is trusted where a plane proves it, across the way to the point, or along the edge or the face
+/// that it is on: all vertices must be beyond it, at the distance found but for 16·u·M.
 ///
 /// Precondition: all coordinates are finite and at most 1e300. Thread-safe.
 [[nodiscard]] std::optional<TriangleDistance> quickDistance(const Triangle &triangle, const glm::dvec3 &p);
