@@ -35,10 +35,13 @@ void NearestFace::restart()
     m_lower = nothing.lower;
 }
 
-glm::dvec3 NearestFace::direction() const
+namespace {
+
+/// From a point of a triangle to p.
+glm::dvec3 contactDirection(const glm::dvec3 &point, const Triangle &triangle, const glm::dvec3 &p)
 {
-    const glm::dvec3 way = m_p - m_nearest.point;
-    const glm::dvec3 normal = glm::cross(m_triangle[1] - m_triangle[0], m_triangle[2] - m_triangle[0]);
+    const glm::dvec3 way = p - point;
+    const glm::dvec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     for (const glm::dvec3 &along : {way, normal}) {
         // scaled, since squares of small distances underflow
         const double size = std::max({std::abs(along.x), std::abs(along.y), std::abs(along.z)});
@@ -49,6 +52,23 @@ glm::dvec3 NearestFace::direction() const
     return {0.0, 1.0, 0.0};
 }
 
+}
+
+void clear(Hit &hit)
+{
+    Address address = std::move(hit.address); // for its memory
+    address.clear();
+    hit = {};
+    hit.address = std::move(address);
+}
+
+void place(Hit &hit, const ClosestPoint &nearest, const Triangle &triangle, const glm::dvec3 &p)
+{
+    hit.distance = nearest.distance;
+    hit.point = nearest.point;
+    hit.direction = contactDirection(nearest.point, triangle, p);
+}
+
 void report(const NearestFace &nearest, const Query &query, Promise promise, Hit &hit)
 {
     hit.promise = promise;
@@ -57,9 +77,7 @@ void report(const NearestFace &nearest, const Query &query, Promise promise, Hit
     hit.cost.faceTests = nearest.faceTests();
     hit.distance = std::numeric_limits<double>::infinity();
     if (nearest.nearest().distance <= query.radius) {
-        hit.distance = nearest.nearest().distance;
-        hit.point = nearest.nearest().point;
-        hit.direction = nearest.direction();
+        place(hit, nearest.nearest(), nearest.triangle(), query.p);
         hit.face = nearest.face();
     }
 }

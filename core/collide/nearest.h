@@ -32,7 +32,7 @@ public:
     /// Infinite distances before the first face.
     [[nodiscard]] const ClosestPoint &nearest() const { return m_nearest; }
     [[nodiscard]] std::uint32_t face() const { return m_face; }
-    [[nodiscard]] glm::dvec3 direction() const;
+    [[nodiscard]] const Triangle &triangle() const { return m_triangle; }
     [[nodiscard]] std::uint64_t faceTests() const { return m_faceTests; }
     /// What is proved of all faces together.
     [[nodiscard]] double lower() const { return m_lower; }
@@ -49,6 +49,18 @@ private:
     std::uint32_t m_face = 0;
     std::uint64_t m_faceTests = 0;
 };
+
+[[nodiscard]] inline Triangle triangleOf(const Mesh &mesh, std::uint32_t face)
+{
+    const Mesh::Face &corners = mesh.faces[face];
+    return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
+}
+
+/// Makes it say that nothing was found, for nothing.
+void clear(Hit &hit);
+
+/// Puts in the nearest point of a face, with its distance and direction.
+void place(Hit &hit, const ClosestPoint &nearest, const Triangle &triangle, const glm::dvec3 &p);
 
 /// What the faces come to for a query, but for the address. lower is that of the faces where the promise is Exact, else 0.
 void report(const NearestFace &nearest, const Query &query, Promise promise, Hit &hit);
