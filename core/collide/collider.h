@@ -37,7 +37,7 @@ struct Hit {
     /// Of length 1: from the point to p, which is the contact's normal; the face's own where p lies on it, and up on a
     /// face without one.
     glm::dvec3 direction{0.0, 1.0, 0.0};
-    /// Where the point is: a face of the base mesh, in the copy with this address.
+    /// Where the point is: a face of the base mesh, in the copy with this address. Mesh::none where it is of no face.
     std::uint32_t face = 0;
     Address address;
 
