@@ -19,6 +19,22 @@
 
 namespace romanesco::test {
 
+namespace {
+
+/// Whether a process has a handler for a signal.
+bool catches(qint64 process, int signal)
+{
+    QFile status(QStringLiteral("/proc/%1/status").arg(process));
+    if (!status.open(QIODevice::ReadOnly)) {
+        return false;
+    }
+    const QByteArray text = status.readAll();
+    const QByteArray caught = text.mid(text.indexOf("SigCgt:") + 7).trimmed().left(16);
+    return (caught.toULongLong(nullptr, 16) >> (signal - 1) & 1) != 0;
+}
+
+}
+
 class TestExport : public QObject
 {
     Q_OBJECT
@@ -316,7 +332,9 @@ private Q_SLOTS:
         process.start(QStringLiteral(ROMANESCO_PROGRAM),
                       {"export", examples + "menger.fdo", "--depth", "6", "-o", path("out.obj")});
         QVERIFY(process.waitForStarted());
-        QTest::qWait(500); // it writes for many seconds
+        // it writes for many seconds from then on
+        QVERIFY(QTest::qWaitFor([&] { return catches(process.processId(), signal); }, 30'000));
+        QTest::qWait(200);
         QCOMPARE(process.state(), QProcess::Running);
         QElapsedTimer timer;
         timer.start();
