@@ -142,6 +142,20 @@ struct Solver {
         const V opposite = combination(T(-1), n, T(0), n);
         return std::max({boundAlong(answer), boundAlong(n), boundAlong(opposite), T(0)});
     }
+
+    /// The same for an answer on an edge that is near: the way to it is rounded along the edge, and an edge is long.
+    T lowerAcrossEdges(const V &answer) const
+    {
+        T best(0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const V along = combination(T(1), vertices[(i + 1) % 3], T(-1), vertices[i]);
+            const T square = dot(along, along);
+            if (square > 0) {
+                best = std::max(best, boundAlong(combination(T(1), answer, T(-dot(answer, along) / square), along)));
+            }
+        }
+        return best;
+    }
 };
 
 }
@@ -174,6 +188,9 @@ ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p)
     Vector<double> answer = solver.closest();
     double distance = length(answer);
     double lower = solver.lower(answer) - certificateError * unit;
+    if (distance - lower > largestGap * unit) {
+        lower = std::max(lower, solver.lowerAcrossEdges(answer) - certificateError * unit);
+    }
     if (distance - lower > largestGap * unit) {
         Solver<Quad> exact;
         for (std::size_t i = 0; i < 3; ++i) {

@@ -25,8 +25,9 @@ struct ClosestPoint {
 ///
 /// Solved in double: the three edges and the plane each give a point of the triangle, and the nearest is taken. What
 /// was found is then certified by planes: for any unit vector n, no point of the triangle is nearer than the least of
-/// n·(vertex − p). Where the two differ by more, as on needles, it is solved again with 113 bits (0.01 % of
-/// well-shaped triangles, up to a quarter of needles; some 50 times the cost).
+/// n·(vertex − p). Those are tried: along the answer, along the normal, and along what of the answer is across an edge.
+/// Where the two still differ by more it is solved again with 113 bits (one in 25,000 of needles seen from nearby; some
+/// 100 times the cost).
 ///
 /// Precondition: all coordinates are finite and at most 1e300. Thread-safe.
 [[nodiscard]] ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p);

@@ -37,6 +37,7 @@ class TestClosestPoint : public QObject
 private Q_SLOTS:
     void trianglesOfAnyShapeHaveACertifiedAnswer_data();
     void trianglesOfAnyShapeHaveACertifiedAnswer();
+    void hardTrianglesAreSolvedAgain();
     void verticesMayStandInAnyOrder();
     void sizesMayBeExtreme();
     void normalsMayUnderflow();
@@ -56,6 +57,20 @@ void TestClosestPoint::trianglesOfAnyShapeHaveACertifiedAnswer()
         const auto [triangle, p] = trianglePoint(shape, draw);
         requireClosest(triangle, p);
     }));
+}
+
+void TestClosestPoint::hardTrianglesAreSolvedAgain()
+{
+    // about one in 25,000 of these is beyond what double can certify
+    Draw draw(1);
+    for (int i = 0; i < 300'000; ++i) {
+        Triangle triangle{draw.vector(), draw.vector(), draw.vector()};
+        const glm::dvec3 along = triangle[1] - triangle[0];
+        triangle[2] = triangle[0] + draw.number(-1.0, 2.0) * along + draw.vector(1e-3);
+        const glm::dvec3 p = triangle[0] + draw.number(-1.0, 1.0) * along + draw.vector(1e-3);
+        const ClosestPoint answer = closestPoint(triangle, p);
+        QVERIFY(answer.distance - answer.lower <= 32 * std::ldexp(largestOffset(triangle, p), -53));
+    }
 }
 
 void TestClosestPoint::verticesMayStandInAnyOrder()
