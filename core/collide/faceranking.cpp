@@ -38,8 +38,7 @@ double squared(double x)
 
 Box boxOf(const Triangle &triangle)
 {
-    const auto &[a, b, c] = triangle;
-    return {glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c)};
+    return Box{triangle[0], triangle[0]}.with(triangle[1]).with(triangle[2]);
 }
 
 }

@@ -10,15 +10,12 @@
 #include <limits>
 #include <optional>
 
-#include <glm/common.hpp>
-
 namespace romanesco {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double greatestCoordinate = 1e300;
-constexpr Box nothing{glm::dvec3(infinity), glm::dvec3(-infinity)};
 constexpr std::size_t binCount = 16;
 
 /// Below this, nodes are divided in halves, so that a tree cannot become deep: 2^31 faces take 29 of those.
@@ -28,16 +25,6 @@ struct Item {
     Box box;
     std::uint32_t face;
 };
-
-Box united(const Box &a, const Box &b)
-{
-    return {glm::min(a.least, b.least), glm::max(a.greatest, b.greatest)};
-}
-
-Box unitedWith(const Box &box, const glm::dvec3 &point)
-{
-    return {glm::min(box.least, point), glm::max(box.greatest, point)};
-}
 
 int widestAxis(const Box &box)
 {
@@ -126,7 +113,7 @@ private:
     {
         m_items.reserve(m_mesh.faces.size());
         for (const Mesh::Face &face : m_mesh.faces) {
-            Box box = nothing;
+            Box box = Box::ofNothing();
             for (const std::uint32_t index : face) {
                 const glm::dvec3 &vertex = m_mesh.vertices[index];
                 for (int axis = 0; axis < 3; ++axis) {
@@ -135,7 +122,7 @@ private:
                                                            index + 1, greatestCoordinate));
                     }
                 }
-                box = unitedWith(box, vertex);
+                box = box.with(vertex);
             }
             m_items.push_back({box, static_cast<std::uint32_t>(m_items.size())});
         }
@@ -147,11 +134,11 @@ private:
     void finish(const Task &task)
     {
         assert(task.depth < mostDepth && "halves end before");
-        Box box = nothing;
-        Box middles = nothing;
+        Box box = Box::ofNothing();
+        Box middles = Box::ofNothing();
         for (const Item &item : items(task)) {
-            box = united(box, item.box);
-            middles = unitedWith(middles, item.box.centre());
+            box = box.with(item.box);
+            middles = middles.with(item.box.centre());
         }
         m_tree.m_nodes[task.node].box = box;
         if (task.end - task.begin <= mostFacesOfLeaf) {
@@ -215,12 +202,12 @@ private:
     }
 
     struct Bin {
-        Box box = nothing;
+        Box box = Box::ofNothing();
         std::size_t count = 0;
 
         Bin &operator+=(const Bin &other)
         {
-            box = united(box, other.box);
+            box = box.with(other.box);
             count += other.count;
             return *this;
         }

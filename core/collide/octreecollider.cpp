@@ -131,10 +131,9 @@ public:
         if (m_points.empty()) {
             return {};
         }
-        m_tree.m_box = {m_points.front(), m_points.front()};
+        m_tree.m_box = Box::ofNothing();
         for (const glm::dvec3 &point : m_points) {
-            m_tree.m_box.least = glm::min(m_tree.m_box.least, point);
-            m_tree.m_box.greatest = glm::max(m_tree.m_box.greatest, point);
+            m_tree.m_box = m_tree.m_box.with(point);
         }
         m_tree.m_nodes.emplace_back();
         m_tasks.push_back({0, 0, m_tree.m_box, m_points});

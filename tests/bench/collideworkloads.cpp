@@ -57,9 +57,9 @@ Mesh writtenOut(const FractalGraph &graph, const Mesh &mesh)
 
 Box boxRound(const std::vector<glm::dvec3> &points)
 {
-    Box box{points.front(), points.front()};
+    Box box = Box::ofNothing();
     for (const glm::dvec3 &point : points) {
-        box = {glm::min(box.least, point), glm::max(box.greatest, point)};
+        box = box.with(point);
     }
     return box;
 }
