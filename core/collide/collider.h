@@ -37,7 +37,8 @@ struct Hit {
     /// Of length 1: from the point to p, which is the contact's normal; the face's own where p lies on it, and up on a
     /// face without one.
     glm::dvec3 direction{0.0, 1.0, 0.0};
-    /// Where the point is: a face of the base mesh, in the copy with this address. Mesh::none where it is of no face.
+    /// Where the point is: a face of the base mesh, in the copy with this address. Mesh::none where it is of no face, or
+    /// where the address ends before the copy does, since all that follows is one point to p.
     std::uint32_t face = 0;
     Address address;
 
@@ -56,6 +57,9 @@ struct Query {
     glm::dvec3 p{0.0};
     /// Only points at most so far from p count.
     double radius = std::numeric_limits<double>::infinity();
+    /// The search ends early once so many nodes were visited, and promises less then. Of the colliders of fractals that
+    /// promise anything; a count, so that answers do not depend on the machine.
+    std::uint64_t nodeBudget = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// Finds points of a surface. It holds what a search needs between queries, so that none allocates once it has grown:
@@ -65,7 +69,8 @@ class Search
 public:
     virtual ~Search() = default;
 
-    /// The nearest point of the surface to p. p must be finite. Ties are broken in favour of the first copy, then face.
+    /// The nearest point of the surface to p. p must be finite. Of several that are equally near, but for rounding, it is
+    /// always the same one.
     virtual void closest(const Query &query, Hit &hit) = 0;
 };
 

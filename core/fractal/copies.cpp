@@ -37,7 +37,7 @@ bool CopyWalk::next()
         }
     }
     if (isAtCopy && m_addresses == Addresses::Keep && m_table.graph().setsShareMaps()) {
-        placePicks();
+        placePicks(m_table.graph(), m_reached, m_picks);
     }
     return isAtCopy;
 }
@@ -76,29 +76,6 @@ void CopyWalk::keepPick(const Fork &fork, StateId next)
     if (m_table.graph().setsShareMaps()) {
         m_reached.resize(fork.place.length);
         m_reached.push_back(positions);
-    }
-}
-
-/// Which of several levels a shared map was taken from shows only at the end of the word: found from there backwards.
-void CopyWalk::placePicks()
-{
-    const FractalGraph &graph = m_table.graph();
-    const auto mapClassOf = [&](const Pick &pick) {
-        return graph.mapClasses(graph.levels().set(graph.levels().locate(pick.position).slot))[pick.map];
-    };
-    Position after = graph.levels().levelCount();
-    for (std::size_t i = m_picks.size(); i-- > 0;) {
-        const bool isLast = i + 1 == m_picks.size();
-        after = *std::ranges::find_if(m_reached[i], [&](Position position) {
-            const FractalGraph::Reach reach = graph.reach(position);
-            const auto isTaken = [&](const auto &level) { return level.position + 1 == after; };
-            return isLast ? reach.reachesEnd : std::ranges::any_of(reach.levels, isTaken);
-        });
-        const std::uint32_t mapClass = mapClassOf(m_picks[i]);
-        m_picks[i] = {after - 1, 0};
-        while (mapClassOf(m_picks[i]) != mapClass) {
-            ++m_picks[i].map;
-        }
     }
 }
 

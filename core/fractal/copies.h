@@ -80,7 +80,6 @@ private:
 
     [[nodiscard]] Place takeChild();
     void keepPick(const Fork &fork, StateId next);
-    void placePicks();
     [[nodiscard]] bool enter(Place place);
     [[nodiscard]] Place below(const Place &place, const Child &child);
     [[nodiscard]] Child lastChild(StateId state);

@@ -3,9 +3,33 @@
 #include "statetable.h"
 
 #include <algorithm>
+#include <cassert>
 #include <unordered_map>
 
 namespace romanesco {
+
+void placePicks(const FractalGraph &graph, std::span<const Positions> reached, std::span<Pick> picks)
+{
+    const auto mapClassOf = [&](const Pick &pick) {
+        return graph.mapClasses(graph.levels().set(graph.levels().locate(pick.position).slot))[pick.map];
+    };
+    Position after = graph.levels().levelCount();
+    for (std::size_t i = picks.size(); i-- > 0;) {
+        const bool isLast = i + 1 == picks.size();
+        const auto found = std::ranges::find_if(reached[i], [&](Position position) {
+            const FractalGraph::Reach reach = graph.reach(position);
+            const auto isTaken = [&](const auto &level) { return level.position + 1 == after; };
+            return isLast ? reach.reachesEnd : std::ranges::any_of(reach.levels, isTaken);
+        });
+        assert((isLast || found != reached[i].end()) && "each pick follows the one before");
+        after = found != reached[i].end() ? *found : reached[i].front(); // a word may end early
+        const std::uint32_t mapClass = mapClassOf(picks[i]);
+        picks[i] = {after - 1, 0};
+        while (mapClassOf(picks[i]) != mapClass) {
+            ++picks[i].map;
+        }
+    }
+}
 
 StateTable::StateTable(const FractalGraph &graph)
     : m_graph(graph)

@@ -10,6 +10,7 @@
 
 #include <boost/container/small_vector.hpp>
 
+#include "address.h"
 #include "fractalgraph.h"
 
 namespace romanesco {
@@ -40,6 +41,10 @@ struct Expansion {
     /// The word may end here: the base mesh stands in this frame.
     bool hasLeaf = false;
 };
+
+/// Which of several levels a map was taken from that sets share shows only at the end of the word: puts each pick at its
+/// level, from the end backwards. reached: the positions of the state that each pick led to.
+void placePicks(const FractalGraph &graph, std::span<const Positions> reached, std::span<Pick> picks);
 
 /// The states of a graph, made as they are asked for and each only once. Memory grows with the states visited, not with
 /// the depth; forget() returns it. One thread uses it; the graph must outlive it.

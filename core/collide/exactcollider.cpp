@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "exactcollider.h"
+
+#include <cassert>
+#include <utility>
+
+#include "branchandbound.h"
+#include "relativeframes.h"
+
+namespace romanesco {
+
+ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, FaceTree tree,
+                             double excess)
+    : m_graph(graph)
+    , m_boxes(boxes)
+    , m_mesh(mesh)
+    , m_tree(std::move(tree))
+    , m_excess(excess)
+    , m_inverses(LocalFrames::inverses(graph))
+{
+    assert(excess >= 0.0 && "no distance is less than the least");
+}
+
+std::expected<ExactCollider, std::string> ExactCollider::create(const FractalGraph &graph, const BoxBounds &boxes,
+                                                                const Mesh &mesh, double excess,
+                                                                const std::stop_token &stop)
+{
+    return FaceTree::build(mesh, stop).transform([&](FaceTree &&tree) {
+        return ExactCollider(graph, boxes, mesh, std::move(tree), excess);
+    });
+}
+
+std::unique_ptr<Search> ExactCollider::search() const
+{
+    if (m_inverses) {
+        return std::make_unique<BranchAndBound<LocalFrames>>(
+            m_graph, m_boxes, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree), m_excess);
+    }
+    return std::make_unique<BranchAndBound<RelativeFrames>>(m_graph, m_boxes, RelativeFrames(m_graph, m_mesh, m_tree),
+                                                            m_excess);
+}
+
+std::size_t ExactCollider::memoryUse() const
+{
+    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse();
+    if (m_inverses) {
+        bytes += m_inverses->capacity() * sizeof(m_inverses->front());
+        for (const auto &ofSet : *m_inverses) {
+            bytes += ofSet.capacity() * sizeof(LocalFrames::Inverse);
+        }
+    }
+    return bytes;
+}
+
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "localframes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "nearest.h"
+
+namespace romanesco {
+
+namespace {
+
+/// Of the squares of the axes and of their products, in the largest axis' square: a few roundings.
+constexpr double mostDefect = 1e-14;
+/// What a step may put p off by, of the numbers that are added: nine products and sums, with factors that are rounded.
+constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
+
+/// That of a similarity to the last digit, where an operator norm would be an upper bound.
+double meanScale(const glm::dmat3 &linear)
+{
+    const double largest = operatorNorm(linear);
+    double squares = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 axis = linear[column] / largest;
+        squares += glm::dot(axis, axis);
+    }
+    return largest * std::sqrt(squares / 3.0);
+}
+
+bool keepsAngles(const glm::dmat3 &linear, double scale)
+{
+    const glm::dmat3 unit = linear / scale;
+    const glm::dmat3 defect = glm::transpose(unit) * unit - glm::dmat3(1.0);
+    double most = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            most = std::max(most, std::abs(defect[column][row]));
+        }
+    }
+    return most <= mostDefect;
+}
+
+double sumOfSizes(const glm::dvec3 &v)
+{
+    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+}
+
+double distanceToBox(const glm::dvec3 &p, const glm::dvec3 &least, const glm::dvec3 &greatest)
+{
+    return glm::length(glm::max(glm::max(least - p, p - greatest), glm::dvec3(0.0)));
+}
+
+}
+
+std::optional<LocalFrames::Inverses> LocalFrames::inverses(const FractalGraph &graph)
+{
+    Inverses inverses(graph.setCount());
+    for (SetId set = 0; set < graph.setCount(); ++set) {
+        for (const auto &[map, facts] : std::views::zip(graph.set(set).maps, graph.facts(set))) {
+            const double scale = meanScale(map.linear);
+            if (!facts.inverse || !keepsAngles(map.linear, scale)) {
+                return std::nullopt;
+            }
+            const AffineMap &inverse = *facts.inverse;
+            inverses[set].push_back({inverse, {inverse.linear * scale, inverse.translation * scale}, scale});
+        }
+    }
+    return inverses;
+}
+
+LocalFrames::LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree)
+    : m_graph(graph)
+    , m_inverses(inverses)
+    , m_mesh(mesh)
+    , m_leaf(mesh, tree)
+{
+    for (const std::vector<Inverse> &ofSet : inverses) {
+        double &farthest = m_farthest.emplace_back(0.0);
+        for (const Inverse &inverse : ofSet) {
+            farthest = std::max(farthest, sumOfSizes(inverse.turned.translation));
+        }
+    }
+}
+
+LocalFrames::Frame LocalFrames::child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
+{
+    const Inverse &inverse = m_inverses[set][map];
+    return {inverse.childFromParent(frame.p), frame.unit * inverse.scale, errorOf(frame, set, box)};
+}
+
+double LocalFrames::errorOf(const Frame &frame, SetId set, const Box &) const
+{
+    return frame.error + errorOfStep * (sumOfSizes(frame.p) + m_farthest[set]) * frame.unit;
+}
+
+double LocalFrames::distanceTo(const Frame &frame, const Box &box) const
+{
+    return distanceToBox(frame.p, box.least, box.greatest);
+}
+
+double LocalFrames::distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
+{
+    const Inverse &inverse = m_inverses[set][map];
+    return distanceToBox(inverse.turned(frame.p), box.least * inverse.scale, box.greatest * inverse.scale);
+}
+
+double LocalFrames::sizeOf(const Frame &, const Box &box) const
+{
+    return glm::length(box.size());
+}
+
+void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
+{
+    const FaceRanking &ranking = m_leaf.nearest(frame.p, limit);
+    hit.face = ranking.face();
+    hit.lower = ranking.lower();
+    hit.faceTests = ranking.facesShown();
+    if (hit.face != Mesh::none) {
+        hit.triangle = triangleOf(m_mesh, hit.face);
+        hit.nearest = closestPoint(hit.triangle, frame.p);
+        hit.lower = std::min(hit.lower, hit.nearest.lower);
+    }
+}
+
+void LocalFrames::finish(const Frame &frame, const LeafHit &leaf, std::span<const DescentStep> path, Hit &hit) const
+{
+    place(hit, leaf.nearest, leaf.triangle, frame.p);
+    takeOut(frame, path, hit);
+}
+
+void LocalFrames::finish(const Frame &frame, const Box &box, std::span<const DescentStep> path, Hit &hit) const
+{
+    const glm::dvec3 middle = box.centre();
+    place(hit, {middle, glm::distance(middle, frame.p), 0.0}, {middle, middle, middle}, frame.p);
+    takeOut(frame, path, hit);
+}
+
+void LocalFrames::takeOut(const Frame &frame, std::span<const DescentStep> path, Hit &hit) const
+{
+    hit.distance *= frame.unit;
+    for (const DescentStep &step : path | std::views::reverse) {
+        const AffineMap &map = m_graph.set(step.set).maps[step.map];
+        hit.point = map(hit.point);
+        hit.direction = glm::normalize(map.linear * hit.direction / m_inverses[step.set][step.map].scale);
+    }
+}
+
+}

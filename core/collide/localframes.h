@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "collider.h"
+#include "core/fractal/fractalgraph.h"
+#include "core/geometry/box.h"
+#include "descent.h"
+#include "treesearch.h"
+
+namespace romanesco {
+
+/// Goes down a graph whose maps are similarities by taking the point p along into the frame of each state, where boxes
+/// and mesh stand still. A frame has its own unit of length, so that nothing is lost however deep it is.
+class LocalFrames
+{
+public:
+    /// What is kept of a map.
+    struct Inverse {
+        AffineMap childFromParent;
+        /// The same in the parent's units.
+        AffineMap turned;
+        double scale = 1.0;
+    };
+    /// By set and map; nothing where a map is no similarity, to 1e-14.
+    using Inverses = std::vector<std::vector<Inverse>>;
+    [[nodiscard]] static std::optional<Inverses> inverses(const FractalGraph &graph);
+
+    /// A frame, and p in it.
+    struct Frame {
+        glm::dvec3 p{0.0};
+        /// In the model's.
+        double unit = 1.0;
+        /// p may be off by so much, in the model's unit.
+        double error = 0.0;
+    };
+
+    /// All must outlive it; the tree is of the mesh.
+    LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree);
+
+    [[nodiscard]] Frame begin(const glm::dvec3 &p) const { return {p}; }
+    [[nodiscard]] Frame child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
+    /// How far off, in the model's unit, distances may be in children by a set, which stand in a box.
+    [[nodiscard]] double errorOf(const Frame &frame, SetId set, const Box &box) const;
+
+    /// From p to a box in the frame, or in that of a child; never more than it is, but for rounding.
+    [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
+    [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
+
+    /// How far points of a box are apart at most.
+    [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
+
+    /// Looks at the faces of the mesh in the frame that are within a limit.
+    void measure(const Frame &frame, double limit, LeafHit &hit);
+
+    /// Puts what was found in the frame at the end of a path into the model's.
+    void finish(const Frame &frame, const LeafHit &leaf, std::span<const DescentStep> path, Hit &hit) const;
+    /// The same, of any point of a box that is too small to tell its points apart.
+    void finish(const Frame &frame, const Box &box, std::span<const DescentStep> path, Hit &hit) const;
+
+private:
+    void takeOut(const Frame &frame, std::span<const DescentStep> path, Hit &hit) const;
+
+    const FractalGraph &m_graph;
+    const Inverses &m_inverses;
+    const Mesh &m_mesh;
+    TreeSearch m_leaf;
+    /// By set: how far it moves.
+    std::vector<double> m_farthest;
+};
+
+}

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "collider.h"
+#include "core/fractal/fractalgraph.h"
+#include "core/geometry/box.h"
+#include "descent.h"
+#include "facetree.h"
+
+namespace romanesco {
+
+/// Goes down any graph, of maps that shear, flatten or send all to a point, by taking frames along to the point p: what
+/// stands in them is measured in the model's unit, with p as the origin. Nothing is inverted.
+class RelativeFrames
+{
+public:
+    /// A frame's axes and origin, seen from p.
+    struct Frame {
+        AffineMap map;
+        /// Bounds how much the axes lengthen, and counts the maps: for the rounding.
+        double norm = 1.0;
+        int depth = 0;
+        /// What stands in the frame may be off by so much.
+        double error = 0.0;
+
+        static constexpr double unit = 1.0;
+    };
+
+    /// All must outlive it; the tree is of the mesh.
+    RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree);
+
+    [[nodiscard]] Frame begin(const glm::dvec3 &p);
+    [[nodiscard]] Frame child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
+    /// How far off distances may be in children by a set, which stand in a box.
+    [[nodiscard]] double errorOf(const Frame &frame, SetId set, const Box &box) const;
+
+    /// From p to a box in the frame, or in that of a child; never more than it is, but for rounding.
+    [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
+    [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
+
+    /// How far points of a box are apart at most.
+    [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
+
+    /// Looks at the faces of the mesh in the frame that are within a limit.
+    void measure(const Frame &frame, double limit, LeafHit &hit);
+
+    /// Puts what was found in the frame at the end of a path into the model's.
+    void finish(const Frame &frame, const LeafHit &leaf, std::span<const DescentStep> path, Hit &hit) const;
+    /// The same, of any point of a box that is too small to tell its points apart.
+    void finish(const Frame &frame, const Box &box, std::span<const DescentStep> path, Hit &hit) const;
+
+private:
+    struct Waiting {
+        double distance;
+        std::uint32_t node;
+    };
+    void measureFaces(const Frame &frame, const FaceTree::Node &node, double &limit, LeafHit &hit) const;
+
+    const FractalGraph &m_graph;
+    const Mesh &m_mesh;
+    const FaceTree &m_tree;
+    glm::dvec3 m_p{0.0};
+    std::vector<Waiting> m_waiting;
+    /// By set: how far it moves, and the greatest norm.
+    struct Growth {
+        double farthest = 0.0;
+        double norm = 0.0;
+    };
+    std::vector<Growth> m_growth;
+};
+
+}
