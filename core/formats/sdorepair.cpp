@@ -245,7 +245,7 @@ std::optional<DecimalCommas> decimalCommaInNumber(LineLexer ahead)
         return std::nullopt;
     }
     numbers.tokens.resize(2);
-    numbers.gaps.resize(1);
+    numbers.gaps.erase(numbers.gaps.begin() + 1, numbers.gaps.end()); // resize() lets GCC 14 warn, wrongly
     return withPoints(numbers);
 }
 
