@@ -12,6 +12,7 @@
 #include "collider.h"
 #include "core/fractal/boxbounds.h"
 #include "core/fractal/fractalgraph.h"
+#include "core/fractal/hullbounds.h"
 #include "core/fractal/statetable.h"
 #include "descent.h"
 #include "nearest.h"
@@ -27,10 +28,12 @@ template<typename Frames>
 class BranchAndBound final : public Search
 {
 public:
-    /// The graph and the boxes must outlive it. excess: how much farther than the least a distance may be, in parts of it.
-    BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, Frames frames, double excess)
+    /// The graph, the boxes and the hulls must outlive it. excess: how much farther than the least a distance may be, in parts of it.
+    BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls, Frames frames,
+                   double excess)
         : m_graph(graph)
         , m_boxes(boxes)
+        , m_hulls(hulls)
         , m_frames(std::move(frames))
         , m_excess(excess)
         , m_table(graph)
@@ -42,7 +45,7 @@ public:
     {
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
-        if (!boxOf(m_table.root()).isEmpty()) {
+        if (!boundsOf(m_table.root()).box.isEmpty()) {
             visit({.state = m_table.root()}, m_frames.begin(query.p));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget) {
                 goOn();
@@ -57,6 +60,8 @@ private:
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    /// Most searches end before fine hulls pay.
+    static constexpr std::uint64_t visitsBeforeFine = 64;
     static constexpr std::size_t mostTableBytes = 64'000'000;
     /// Of a candidate: the base mesh itself.
     static constexpr std::uint32_t leaf = std::numeric_limits<std::uint32_t>::max();
@@ -68,6 +73,14 @@ private:
         double distance;
         std::uint32_t range;
         std::uint32_t map;
+        /// The distance is that of the fine hull already, or there is none.
+        bool isFine;
+    };
+
+    /// Round all that a state leads to.
+    struct Bounds {
+        Box box;
+        const HullBounds::Hulls *hulls;
     };
 
     /// A state that is being looked at.
@@ -81,7 +94,7 @@ private:
     {
         if (m_table.memoryUse() > mostTableBytes) {
             m_table.forget();
-            m_stateBoxes.clear();
+            m_stateBounds.clear();
         }
         m_nodes.clear();
         m_path.clear();
@@ -110,7 +123,7 @@ private:
             return node.frame.error;
         }
         const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        return m_frames.errorOf(node.frame, range.set, boxOf(range.next));
+        return m_frames.errorOf(node.frame, range.set, boundsOf(range.next).box);
     }
 
     /// The nearest candidate of the node that was entered last; back where none is near enough.
@@ -131,6 +144,10 @@ private:
             leave();
             return;
         }
+        if (!next.isFine && m_cost.nodeVisits >= visitsBeforeFine) {
+            refine(node, *nearest);
+            return;
+        }
         *nearest = m_candidates.back();
         m_candidates.pop_back();
         if (next.range == leaf) {
@@ -140,16 +157,26 @@ private:
         }
     }
 
+    /// What seems nearest may be farther, and not the nearest.
+    void refine(const Node &node, Candidate &candidate)
+    {
+        const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
+        const double distance =
+            m_frames.fineDistanceTo(node.frame, range.set, candidate.map, *boundsOf(range.next).hulls);
+        candidate.distance = std::max(candidate.distance, distance);
+        candidate.isFine = true;
+    }
+
     void goDown(const Node &node, const Candidate &candidate)
     {
         const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        const Box &box = boxOf(range.next);
+        const Box &box = boundsOf(range.next).box;
         const Frame frame = m_frames.child(node.frame, range.set, candidate.map, box);
         const DescentStep step{range.set, candidate.map, range.next};
         const double size = m_frames.sizeOf(frame, box) * frame.unit;
         const double distance = candidate.distance * node.frame.unit;
         if (size <= std::max(epsilon / 2.0 * distance, frame.error) || frame.unit < leastUnit) {
-            settle(step, frame, box, distance, size);
+            settle(step, frame, box, distance);
         } else {
             m_path.push_back(step);
             visit(step, frame);
@@ -167,12 +194,12 @@ private:
     }
 
     /// All points of the branch are alike, seen from p.
-    void settle(const DescentStep &step, const Frame &frame, const Box &box, double distance, double size)
+    void settle(const DescentStep &step, const Frame &frame, const Box &box, double distance)
     {
         ++m_cost.nodeVisits;
         drop(distance, frame.error);
-        if (distance + size < m_best || (m_found == Found::Nothing && distance <= m_best)) {
-            m_best = std::min(m_best, distance + size);
+        if (m_found == Found::Nothing ? distance <= m_best : distance < m_best) {
+            m_best = distance;
             m_found = Found::Branch;
             m_bestFrame = frame;
             m_bestBox = box;
@@ -188,14 +215,18 @@ private:
         m_nodes.push_back({step.state, frame, m_candidates.size()});
         const Expansion &expansion = m_table.expansion(step.state);
         if (expansion.hasLeaf) {
-            consider({m_frames.distanceTo(frame, m_meshBox), leaf, 0}, frame, frame.error);
+            consider({m_frames.distanceTo(frame, m_meshBox), leaf, 0, true}, frame, frame.error);
         }
         for (std::uint32_t i = 0; i < expansion.ranges.size(); ++i) {
             const ChildRange &range = expansion.ranges[i];
-            const Box &box = boxOf(range.next);
+            const auto [box, hulls] = boundsOf(range.next);
             const double error = m_frames.errorOf(frame, range.set, box);
             for (std::uint32_t map = range.firstMap; map < range.endMap && !box.isEmpty(); ++map) {
-                consider({m_frames.distanceTo(frame, range.set, map, box), i, map}, frame, error);
+                double distance = m_frames.distanceTo(frame, range.set, map, box);
+                if (hulls) {
+                    distance = std::max(distance, m_frames.roughDistanceTo(frame, range.set, map, *hulls));
+                }
+                consider({distance, i, map, hulls == nullptr}, frame, error);
             }
         }
     }
@@ -301,26 +332,27 @@ private:
         }
     }
 
-    /// Round all that a state leads to.
-    const Box &boxOf(StateId state)
+    const Bounds &boundsOf(StateId state)
     {
-        while (m_stateBoxes.size() <= state) {
-            Box box = Box::ofNothing();
-            for (const Position position : m_table.state(static_cast<StateId>(m_stateBoxes.size())).positions) {
-                box = box.with(m_boxes.at(m_graph, position));
+        while (m_stateBounds.size() <= state) {
+            const Positions &positions = m_table.state(static_cast<StateId>(m_stateBounds.size())).positions;
+            Bounds bounds{Box::ofNothing(), positions.size() == 1 ? m_hulls.at(m_graph, positions.front()) : nullptr};
+            for (const Position position : positions) {
+                bounds.box = bounds.box.with(m_boxes.at(m_graph, position));
             }
-            m_stateBoxes.push_back(box);
+            m_stateBounds.push_back(bounds);
         }
-        return m_stateBoxes[state];
+        return m_stateBounds[state];
     }
 
     const FractalGraph &m_graph;
     const BoxBounds &m_boxes;
+    const HullBounds &m_hulls;
     Frames m_frames;
     const double m_excess;
     StateTable m_table;
     /// By state.
-    std::vector<Box> m_stateBoxes;
+    std::vector<Bounds> m_stateBounds;
     Box m_meshBox;
 
     /// From the root to where the search is, a step between two nodes; the candidates of each node after those of the one

@@ -17,6 +17,7 @@ ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, 
     , m_mesh(mesh)
     , m_tree(std::move(tree))
     , m_excess(excess)
+    , m_hulls(graph, boxes, mesh)
     , m_inverses(LocalFrames::inverses(graph))
 {
     assert(excess >= 0.0 && "no distance is less than the least");
@@ -35,15 +36,15 @@ std::unique_ptr<Search> ExactCollider::search() const
 {
     if (m_inverses) {
         return std::make_unique<BranchAndBound<LocalFrames>>(
-            m_graph, m_boxes, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree), m_excess);
+            m_graph, m_boxes, m_hulls, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree), m_excess);
     }
-    return std::make_unique<BranchAndBound<RelativeFrames>>(m_graph, m_boxes, RelativeFrames(m_graph, m_mesh, m_tree),
-                                                            m_excess);
+    return std::make_unique<BranchAndBound<RelativeFrames>>(m_graph, m_boxes, m_hulls,
+                                                            RelativeFrames(m_graph, m_mesh, m_tree), m_excess);
 }
 
 std::size_t ExactCollider::memoryUse() const
 {
-    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse();
+    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse() + m_hulls.memoryUse();
     if (m_inverses) {
         bytes += m_inverses->capacity() * sizeof(m_inverses->front());
         for (const auto &ofSet : *m_inverses) {

@@ -10,6 +10,7 @@
 #include "collider.h"
 #include "core/fractal/boxbounds.h"
 #include "core/fractal/fractalgraph.h"
+#include "core/fractal/hullbounds.h"
 #include "core/geometry/mesh.h"
 #include "facetree.h"
 #include "localframes.h"
@@ -49,6 +50,7 @@ private:
     const Mesh &m_mesh;
     FaceTree m_tree;
     double m_excess;
+    HullBounds m_hulls;
     std::optional<LocalFrames::Inverses> m_inverses;
 };
 

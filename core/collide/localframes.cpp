@@ -110,6 +110,26 @@ double LocalFrames::distanceTo(const Frame &frame, SetId set, std::uint32_t map,
     return distanceToBox(inverse.turned(frame.p), box.least * inverse.scale, box.greatest * inverse.scale);
 }
 
+double LocalFrames::roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                    const HullBounds::Hulls &hulls) const
+{
+    const Inverse &inverse = m_inverses[set][map];
+    const glm::dvec3 way = inverse.turned(frame.p) - hulls.centre * inverse.scale;
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec3 &corner : hulls.coarse.corners) {
+        reach = std::max(reach, glm::dot(way, corner));
+    }
+    const double length = glm::length(way);
+    return length > 0.0 ? length - inverse.scale * (reach / length + hulls.coarse.error) : 0.0;
+}
+
+double LocalFrames::fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map, const HullBounds::Hulls &hulls)
+{
+    const Inverse &inverse = m_inverses[set][map];
+    const HullDistance distance = distanceToHull(hulls.fine.corners, inverse.childFromParent(frame.p));
+    return inverse.scale * (distance.least - hulls.fine.error);
+}
+
 double LocalFrames::sizeOf(const Frame &, const Box &box) const
 {
     return glm::length(box.size());

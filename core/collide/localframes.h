@@ -8,6 +8,7 @@
 
 #include "collider.h"
 #include "core/fractal/fractalgraph.h"
+#include "core/fractal/hullbounds.h"
 #include "core/geometry/box.h"
 #include "descent.h"
 #include "treesearch.h"
@@ -50,6 +51,12 @@ public:
     /// From p to a box in the frame, or in that of a child; never more than it is, but for rounding.
     [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
     [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
+
+    /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
+    [[nodiscard]] double roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                         const HullBounds::Hulls &hulls) const;
+    [[nodiscard]] double fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                        const HullBounds::Hulls &hulls);
 
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/geometry/triangledistance.h"
 #include "nearest.h"
@@ -108,6 +109,32 @@ double RelativeFrames::distanceTo(const Frame &frame, SetId set, std::uint32_t m
         edge = frame.map.linear * edge;
     }
     return distanceToOrigin(frame.map(inner(box.centre())), edges);
+}
+
+double RelativeFrames::roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                       const HullBounds::Hulls &hulls) const
+{
+    const AffineMap &inner = m_graph.set(set).maps[map];
+    const glm::dvec3 way = frame.map(inner(hulls.centre));
+    const glm::dvec3 inChild = glm::transpose(inner.linear) * (glm::transpose(frame.map.linear) * way);
+    double nearest = infinity;
+    for (const glm::dvec3 &corner : hulls.coarse.corners) {
+        nearest = std::min(nearest, glm::dot(inChild, corner));
+    }
+    const double length = glm::length(way);
+    const double error = frame.norm * m_graph.facts(set)[map].norm * hulls.coarse.error;
+    return length > 0.0 ? length + nearest / length - error : 0.0;
+}
+
+double RelativeFrames::fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map, const HullBounds::Hulls &hulls)
+{
+    const AffineMap &inner = m_graph.set(set).maps[map];
+    m_corners.clear();
+    for (const glm::dvec3 &corner : hulls.fine.corners) {
+        m_corners.push_back(frame.map(inner(corner)));
+    }
+    return distanceToHull(m_corners, glm::dvec3(0.0)).least
+        - frame.norm * m_graph.facts(set)[map].norm * hulls.fine.error;
 }
 
 double RelativeFrames::sizeOf(const Frame &frame, const Box &box) const

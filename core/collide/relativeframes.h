@@ -7,6 +7,7 @@
 
 #include "collider.h"
 #include "core/fractal/fractalgraph.h"
+#include "core/fractal/hullbounds.h"
 #include "core/geometry/box.h"
 #include "descent.h"
 #include "facetree.h"
@@ -42,6 +43,12 @@ public:
     [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
     [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
 
+    /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
+    [[nodiscard]] double roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                         const HullBounds::Hulls &hulls) const;
+    [[nodiscard]] double fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+                                        const HullBounds::Hulls &hulls);
+
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
 
@@ -65,6 +72,7 @@ private:
     const FaceTree &m_tree;
     glm::dvec3 m_p{0.0};
     std::vector<Waiting> m_waiting;
+    std::vector<glm::dvec3> m_corners;
     /// By set: how far it moves, and the greatest norm.
     struct Growth {
         double farthest = 0.0;

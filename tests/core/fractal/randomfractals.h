@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 
+#include "core/fractal/fractalgraph.h"
 #include "core/geometry/affinemap.h"
 #include "core/geometry/mesh.h"
 #include "tests/core/naive.h"
@@ -93,6 +94,11 @@ inline Mesh randomMesh(std::mt19937_64 &random)
     }
     mesh.faces = {{0, 1, 2}, {1, 2, 3}};
     return mesh;
+}
+
+inline FractalGraph graphOf(const naive::Fractal &fractal, const Mesh &mesh)
+{
+    return FractalGraph::build(fractal.description(), boundingSphere(mesh)).value();
 }
 
 /// The corners of all faces.

@@ -187,11 +187,6 @@ AffineMap moved(double x, double y, double z)
     return {glm::dmat3(1.0), {x, y, z}};
 }
 
-FractalGraph graphOf(const Fractal &fractal, const Mesh &mesh)
-{
-    return FractalGraph::build(fractal.description(), boundingSphere(mesh)).value();
-}
-
 Box boxAt(const Fractal &fractal, const Mesh &mesh, Position position)
 {
     const FractalGraph graph = graphOf(fractal, mesh);

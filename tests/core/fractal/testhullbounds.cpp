@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "core/fractal/hullbounds.h"
+
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "tests/core/fractal/randomfractals.h"
+#include "tests/core/fractal/samples.h"
+#include "tests/testmain.h"
+
+namespace romanesco::test {
+
+namespace {
+
+using naive::Affine;
+using naive::Fractal;
+using naive::Point;
+
+long double along(const Point &point, const glm::dvec3 &direction)
+{
+    return point[0] * direction.x + point[1] * direction.y + point[2] * direction.z;
+}
+
+/// How far a point is beyond the hull in a direction.
+long double beyond(const std::vector<glm::dvec3> &corners, const glm::dvec3 &centre, const Point &point,
+                   const glm::dvec3 &direction)
+{
+    long double reach = -INFINITY;
+    for (const glm::dvec3 &corner : corners) {
+        const glm::dvec3 place = corner + centre;
+        reach = std::max(reach, along({place.x, place.y, place.z}, direction));
+    }
+    return along(point, direction) - reach;
+}
+
+std::vector<glm::dvec3> directions(std::mt19937_64 &random)
+{
+    std::vector<glm::dvec3> result;
+    for (int i = 0; i < 20; ++i) {
+        std::normal_distribution<double> normal;
+        result.push_back(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+    }
+    return result;
+}
+
+bool holds(const HullBounds::Hulls &hulls, const Point &point, const std::vector<glm::dvec3> &ways)
+{
+    const long double slack = 1e-15L * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
+    return std::ranges::all_of(ways, [&](const glm::dvec3 &way) {
+        return beyond(hulls.fine.corners, glm::dvec3(0), point, way) <= hulls.fine.error + slack
+            && beyond(hulls.coarse.corners, hulls.centre, point, way) <= hulls.coarse.error + slack;
+    });
+}
+
+}
+
+class TestHullBounds : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyPositionsHullHoldsWhatFollows_data();
+    void everyPositionsHullHoldsWhatFollows();
+    void foldedPointsStayInsideAtGreatDepth_data();
+    void foldedPointsStayInsideAtGreatDepth();
+    void examplesHaveTightHulls_data();
+    void examplesHaveTightHulls();
+    void boxesThatAreHullsHaveNone();
+    void whatIsTooMuchHasNone();
+};
+
+void TestHullBounds::everyPositionsHullHoldsWhatFollows_data()
+{
+    QTest::addColumn<double>("largest");
+    QTest::newRow("contracting") << 0.5;
+    QTest::newRow("hardly contracting") << 0.97;
+    QTest::newRow("growing") << 1.7;
+}
+
+void TestHullBounds::everyPositionsHullHoldsWhatFollows()
+{
+    QFETCH(const double, largest);
+    std::mt19937_64 random(91);
+    int looked = 0;
+    for (int round = 0; round < 80; ++round) {
+        const Fractal fractal = randomFractal(random, largest);
+        const Mesh mesh = randomMesh(random);
+        const FractalGraph graph = graphOf(fractal, mesh);
+        const BoxBounds boxes(graph, mesh);
+        const HullBounds hulls(graph, boxes, mesh);
+        const naive::Levels levels = fractal.levels();
+        const std::vector<glm::dvec3> ways = directions(random);
+        std::vector<Point> all = points(mesh);
+        for (Position position = levels.size();; --position) {
+            if (const HullBounds::Hulls *hull = hulls.at(graph, position)) {
+                for (const Point &point : all) {
+                    ++looked;
+                    QVERIFY2(holds(*hull, point, ways),
+                             qPrintable(QStringLiteral("round %1 position %2").arg(round).arg(position)));
+                }
+            }
+            if (position == 0) {
+                break;
+            }
+            const naive::Level &level = levels[position - 1];
+            std::vector<Point> longer;
+            if (level.mayPass) {
+                longer = all;
+            }
+            for (const int map : level.maps) {
+                for (const Point &point : all) {
+                    longer.push_back(
+                        naive::applied(naive::fromCore(fractal.maps[static_cast<std::size_t>(map)]), point));
+                }
+            }
+            all = std::move(longer);
+        }
+    }
+    QVERIFY(looked > 10'000);
+}
+
+void TestHullBounds::foldedPointsStayInsideAtGreatDepth_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"sierpinski", "tree", "appendix-b", "two-sets", "snowflake"}) {
+        QTest::newRow(name) << QString::fromLatin1(name);
+    }
+}
+
+void TestHullBounds::foldedPointsStayInsideAtGreatDepth()
+{
+    QFETCH(const QString, name);
+    const Sample fractal = sample(name, 3'000);
+    const BoxBounds boxes(fractal.graph, fractal.mesh);
+    const HullBounds hulls(fractal.graph, boxes, fractal.mesh);
+    const Folder folder(fractal.description);
+    std::mt19937_64 random(92);
+    const std::vector<glm::dvec3> ways = directions(random);
+    const std::vector<Point> vertices = points(fractal.mesh);
+    for (int round = 0; round < 5; ++round) {
+        Point point = vertices[random() % vertices.size()];
+        for (Position position = fractal.graph.levels().levelCount(); position-- > 0;) {
+            point = folder.fold(position, point, random);
+            const HullBounds::Hulls *hull = hulls.at(fractal.graph, position);
+            QVERIFY(hull && holds(*hull, point, ways));
+        }
+    }
+}
+
+void TestHullBounds::examplesHaveTightHulls_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("corners");
+    QTest::newRow("sierpinski") << "sierpinski" << 4;
+    QTest::newRow("tree") << "tree" << 96;
+    QTest::newRow("appendix-b") << "appendix-b" << 96;
+    QTest::newRow("two-sets") << "two-sets" << 96;
+    QTest::newRow("snowflake") << "snowflake" << 96;
+}
+
+void TestHullBounds::examplesHaveTightHulls()
+{
+    QFETCH(const QString, name);
+    QFETCH(const int, corners);
+    for (const std::uint64_t depth : {5ull, 1'000'000ull}) {
+        const Sample fractal = sample(name, depth);
+        const BoxBounds boxes(fractal.graph, fractal.mesh);
+        const HullBounds hulls(fractal.graph, boxes, fractal.mesh);
+        const double size = glm::length(boxes.at(fractal.graph, 0).size());
+        const HullBounds::Hulls *whole = hulls.at(fractal.graph, 0);
+        QVERIFY(whole);
+        QVERIFY(whole->fine.corners.size() <= static_cast<std::size_t>(corners));
+        QVERIFY(whole->coarse.corners.size() <= 16);
+        QVERIFY2(whole->fine.error < 0.01 * size, qPrintable(QString::number(whole->fine.error / size)));
+        QVERIFY2(whole->coarse.error < 0.06 * size, qPrintable(QString::number(whole->coarse.error / size)));
+    }
+}
+
+void TestHullBounds::boxesThatAreHullsHaveNone()
+{
+    const Sample fractal = sample(QStringLiteral("menger"), 20);
+    const BoxBounds boxes(fractal.graph, fractal.mesh);
+    const HullBounds hulls(fractal.graph, boxes, fractal.mesh);
+    for (Position position = 0; position <= 20; ++position) {
+        QVERIFY(!hulls.at(fractal.graph, position));
+    }
+}
+
+/// A row of 10^9, and a mesh without faces.
+void TestHullBounds::whatIsTooMuchHasNone()
+{
+    Fractal fractal;
+    fractal.maps = {mapFromParts({1, 0, 0}, {0, 0, 0}, glm::dvec3(1))};
+    fractal.sets = {{{0}, true}};
+    fractal.items = {{1'000'000'000, 0, {{0, 0, {}}}}};
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.faces.push_back({0, 1, 2});
+    const FractalGraph row = graphOf(fractal, mesh);
+    const BoxBounds rowBoxes(row, mesh);
+    QVERIFY(!HullBounds(row, rowBoxes, mesh).at(row, 0));
+
+    const Sphere none = boundingSphere(Mesh{});
+    const FractalGraph empty = FractalGraph::ofMesh(none);
+    const BoxBounds emptyBoxes(empty, Mesh{});
+    QVERIFY(!HullBounds(empty, emptyBoxes, Mesh{}).at(empty, 0));
+}
+}
+
+ROMANESCO_TEST(romanesco::test::TestHullBounds)
+
+#include "testhullbounds.moc"
