@@ -68,13 +68,15 @@ private:
     /// Deeper units would not be numbers.
     static constexpr double leastUnit = 1e-290;
 
+    enum class Tightness : std::uint8_t { OfBox, OfCoarseHull, Final };
+
     /// What a node leads to, at so great a distance or more, in its frame's unit.
     struct Candidate {
         double distance;
         std::uint32_t range;
         std::uint32_t map;
-        /// The distance is that of the fine hull already, or there is none.
-        bool isFine;
+        /// What the distance was found by. A better one is asked only of what seems nearest.
+        Tightness tightness;
     };
 
     /// Round all that a state leads to.
@@ -144,8 +146,9 @@ private:
             leave();
             return;
         }
-        if (!next.isFine && m_cost.nodeVisits >= visitsBeforeFine) {
-            refine(node, *nearest);
+        if (next.tightness == Tightness::OfBox
+            || (next.tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine)) {
+            tighten(node, *nearest);
             return;
         }
         *nearest = m_candidates.back();
@@ -158,13 +161,15 @@ private:
     }
 
     /// What seems nearest may be farther, and not the nearest.
-    void refine(const Node &node, Candidate &candidate)
+    void tighten(const Node &node, Candidate &candidate)
     {
         const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        const double distance =
-            m_frames.fineDistanceTo(node.frame, range.set, candidate.map, *boundsOf(range.next).hulls);
+        const HullBounds::Hulls &hulls = *boundsOf(range.next).hulls;
+        const bool isFirst = candidate.tightness == Tightness::OfBox;
+        const double distance = isFirst ? m_frames.roughDistanceTo(node.frame, range.set, candidate.map, hulls)
+                                        : m_frames.fineDistanceTo(node.frame, range.set, candidate.map, hulls);
         candidate.distance = std::max(candidate.distance, distance);
-        candidate.isFine = true;
+        candidate.tightness = isFirst ? Tightness::OfCoarseHull : Tightness::Final;
     }
 
     void goDown(const Node &node, const Candidate &candidate)
@@ -215,18 +220,15 @@ private:
         m_nodes.push_back({step.state, frame, m_candidates.size()});
         const Expansion &expansion = m_table.expansion(step.state);
         if (expansion.hasLeaf) {
-            consider({m_frames.distanceTo(frame, m_meshBox), leaf, 0, true}, frame, frame.error);
+            consider({m_frames.distanceTo(frame, m_meshBox), leaf, 0, Tightness::Final}, frame, frame.error);
         }
         for (std::uint32_t i = 0; i < expansion.ranges.size(); ++i) {
             const ChildRange &range = expansion.ranges[i];
             const auto [box, hulls] = boundsOf(range.next);
             const double error = m_frames.errorOf(frame, range.set, box);
             for (std::uint32_t map = range.firstMap; map < range.endMap && !box.isEmpty(); ++map) {
-                double distance = m_frames.distanceTo(frame, range.set, map, box);
-                if (hulls) {
-                    distance = std::max(distance, m_frames.roughDistanceTo(frame, range.set, map, *hulls));
-                }
-                consider({distance, i, map, hulls == nullptr}, frame, error);
+                const double distance = m_frames.distanceTo(frame, range.set, map, box);
+                consider({distance, i, map, hulls ? Tightness::OfBox : Tightness::Final}, frame, error);
             }
         }
     }

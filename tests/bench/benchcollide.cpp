@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "collideworkloads.h"
+#include "core/collide/exactcollider.h"
 #include "core/collide/greedycollider.h"
 #include "core/collide/octreecollider.h"
 #include "core/collide/simplecollider.h"
@@ -28,6 +29,7 @@ class Bench
 public:
     Bench(const std::string &name, std::uint64_t depth)
         : m_workload(workload(name, depth))
+        , m_boxes(m_workload.graph, m_workload.mesh)
     {
     }
 
@@ -77,10 +79,15 @@ private:
         if (kind == "octree") {
             return std::make_unique<OctreeCollider>(OctreeCollider::create(graph, mesh).value());
         }
+        if (kind == "exact" || kind == "approximate") {
+            const double excess = kind == "exact" ? 0.0 : 1e-3;
+            return std::make_unique<ExactCollider>(ExactCollider::create(graph, m_boxes, mesh, excess).value());
+        }
         return std::make_unique<BvhCollider>(BvhCollider::create(all).value());
     }
 
     Workload m_workload;
+    BoxBounds m_boxes;
     std::map<std::string, Made> m_made;
     std::map<Place, Asked> m_asked;
 };
@@ -155,7 +162,7 @@ void registerAll()
         {"uneven-scales", 6}, {"appendix-b", 3}, {"sierpinski", 8}, {"menger", 4}};
     for (const auto &[name, depth] : workloads) {
         for (const Place place : {Place::Uniform, Place::Near, Place::Pocket}) {
-            for (const std::string kind : {"simple", "greedy", "octree", "bvh"}) {
+            for (const std::string kind : {"simple", "greedy", "octree", "bvh", "exact", "approximate"}) {
                 const std::string title = name + "/" + placeNames[static_cast<std::size_t>(place)] + "/" + kind;
                 const bool isSlow = kind == "simple";
                 auto *run = benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
