@@ -68,6 +68,7 @@ private Q_SLOTS:
     void examplesHaveTightHulls();
     void boxesThatAreHullsHaveNone();
     void whatIsTooMuchHasNone();
+    void errorsOfWhatFollowsCount();
 };
 
 void TestHullBounds::everyPositionsHullHoldsWhatFollows_data()
@@ -205,6 +206,49 @@ void TestHullBounds::whatIsTooMuchHasNone()
     const FractalGraph empty = FractalGraph::ofMesh(none);
     const BoxBounds emptyBoxes(empty, Mesh{});
     QVERIFY(!HullBounds(empty, emptyBoxes, Mesh{}).at(empty, 0));
+}
+
+/// A round mesh has more corners than are kept, at each level.
+void TestHullBounds::errorsOfWhatFollowsCount()
+{
+    std::mt19937_64 random(93);
+    Mesh mesh;
+    std::normal_distribution<double> normal;
+    for (std::uint32_t i = 0; i < 600; i += 3) {
+        for (int corner = 0; corner < 3; ++corner) {
+            mesh.vertices.push_back(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+        }
+        mesh.faces.push_back({i, i + 1, i + 2});
+    }
+    Fractal fractal;
+    fractal.maps = {mapFromParts({0.02, 0, 0}, {10, 20, 30}, glm::dvec3(0.99)),
+                    mapFromParts({0, 0.02, 0}, {-40, 0, 70}, glm::dvec3(0.99))};
+    fractal.sets = {{{0}, false}, {{1}, false}};
+    fractal.items = {{0, 0, {}}, {0, 1, {}}, {0, 0, {}}, {0, 1, {}}};
+    const FractalGraph graph = graphOf(fractal, mesh);
+    const BoxBounds boxes(graph, mesh);
+    const HullBounds hulls(graph, boxes, mesh);
+    std::vector<Point> all = points(mesh);
+    for (const int map : {1, 0, 1, 0}) {
+        for (Point &point : all) {
+            point = naive::applied(naive::fromCore(fractal.maps[static_cast<std::size_t>(map)]), point);
+        }
+    }
+    std::vector<glm::dvec3> ways;
+    const glm::dvec3 middle = boxes.at(graph, 0).centre();
+    for (const Point &point : all) {
+        ways.push_back(glm::normalize(glm::dvec3(point[0], point[1], point[2]) - middle));
+    }
+    const HullBounds::Hulls &hull = *hulls.at(graph, 0);
+    long double fine = 0;
+    long double coarse = 0;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        fine = std::max(fine, beyond(hull.fine.corners, glm::dvec3(0), all[i], ways[i]));
+        coarse = std::max(coarse, beyond(hull.coarse.corners, hull.centre, all[i], ways[i]));
+    }
+    QVERIFY2(fine <= hull.fine.error && fine > 0.5L * hull.fine.error,
+             qPrintable(QString::number(double(fine / hull.fine.error))));
+    QVERIFY2(coarse <= hull.coarse.error, qPrintable(QString::number(double(coarse / hull.coarse.error))));
 }
 }
 
