@@ -69,6 +69,9 @@ private Q_SLOTS:
     void boxesThatAreHullsHaveNone();
     void whatIsTooMuchHasNone();
     void errorsOfWhatFollowsCount();
+    void sharedHullsHoldTheImagesOfOneAnother_data();
+    void sharedHullsHoldTheImagesOfOneAnother();
+    void coarseHullsHaveTheErrorsOfFineOnes();
 };
 
 void TestHullBounds::everyPositionsHullHoldsWhatFollows_data()
@@ -249,6 +252,51 @@ void TestHullBounds::errorsOfWhatFollowsCount()
     QVERIFY2(fine <= hull.fine.error && fine > 0.5L * hull.fine.error,
              qPrintable(QString::number(double(fine / hull.fine.error))));
     QVERIFY2(coarse <= hull.coarse.error, qPrintable(QString::number(double(coarse / hull.coarse.error))));
+}
+
+void TestHullBounds::sharedHullsHoldTheImagesOfOneAnother_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char *name : {"sierpinski", "tree", "appendix-b", "two-sets", "snowflake"}) {
+        QTest::newRow(name) << QString::fromLatin1(name);
+    }
+}
+
+/// With their errors: what holds then holds at any depth.
+void TestHullBounds::sharedHullsHoldTheImagesOfOneAnother()
+{
+    QFETCH(const QString, name);
+    const Sample fractal = sample(name, 1'000);
+    const FractalGraph &graph = fractal.graph;
+    const BoxBounds boxes(graph, fractal.mesh);
+    const HullBounds hulls(graph, boxes, fractal.mesh);
+    for (Position position = 300; position < 304; ++position) {
+        const Hull &outer = hulls.at(graph, position)->fine;
+        const Hull &inner = hulls.at(graph, position + 1)->fine;
+        const SetId set = graph.levels().set(graph.levels().locate(position).slot);
+        for (std::size_t i = 0; i < graph.set(set).maps.size(); ++i) {
+            for (const glm::dvec3 &corner : inner.corners) {
+                const double outside = distanceToHull(outer.corners, graph.set(set).maps[i](corner)).least;
+                QVERIFY(outside + graph.facts(set)[i].norm * inner.error <= outer.error * (1 + 1e-9));
+            }
+        }
+    }
+}
+
+/// A corner that is too flat to be kept.
+void TestHullBounds::coarseHullsHaveTheErrorsOfFineOnes()
+{
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1e-4}};
+    mesh.faces.push_back({0, 1, 2});
+    mesh.faces.push_back({0, 1, 3});
+    mesh.faces.push_back({0, 1, 4});
+    const FractalGraph graph = FractalGraph::ofMesh(boundingSphere(mesh));
+    const BoxBounds boxes(graph, mesh);
+    const HullBounds hulls(graph, boxes, mesh);
+    const HullBounds::Hulls &hull = *hulls.at(graph, 0);
+    QCOMPARE(hull.fine.corners.size(), std::size_t{4});
+    QVERIFY(holds(hull, {0.3L, 0.3L, -1e-4L}, {glm::dvec3(0, 0, -1)}));
 }
 }
 
