@@ -19,24 +19,40 @@ namespace {
 using Slot = LevelSequence::Slot;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// 0 times infinity is 0: what is infinite here is only too large.
+double product(double a, double b)
+{
+    return a == 0.0 || b == 0.0 ? 0.0 : a * b;
+}
 
 /// A sum of a few numbers, and what it may be off by: nothing where nothing was rounded, since over 10^18 levels any
-/// margin counts.
+/// margin counts. What is no number, of infinite ones, is bounded by nothing.
 class Sum
 {
 public:
     void add(double factor, double value)
     {
-        if (factor != 0.0 && value != 0.0) { // 0 times infinity is 0: what is infinite here is only too large
-            m_value += factor * value;
-            m_size += std::abs(factor * value);
+        const double term = product(factor, value);
+        if (term != 0.0) {
+            m_value += term;
+            m_size += std::abs(term);
             m_roundings += (std::abs(factor) != 1.0 ? 1 : 0) + (m_isEmpty ? 0 : 1);
             m_isEmpty = false;
         }
     }
 
-    [[nodiscard]] double atLeast() const { return m_value - epsilon * m_roundings * m_size; }
-    [[nodiscard]] double atMost() const { return m_value + epsilon * m_roundings * m_size; }
+    [[nodiscard]] double atLeast() const
+    {
+        const double least = m_value - epsilon * m_roundings * m_size;
+        return std::isnan(least) ? -infinity : least;
+    }
+    [[nodiscard]] double atMost() const
+    {
+        const double most = m_value + epsilon * m_roundings * m_size;
+        return std::isnan(most) ? infinity : most;
+    }
 
 private:
     double m_value = 0.0;
@@ -73,10 +89,10 @@ struct Stretched {
 
 Box scaled(const Box &box, double factor)
 {
-    Box result = box;
-    for (int axis = 0; axis < 3; ++axis) { // nothing stays nothing, also times infinity
-        result.least[axis] *= box.least[axis] == 0.0 ? 1.0 : factor;
-        result.greatest[axis] *= box.greatest[axis] == 0.0 ? 1.0 : factor;
+    Box result;
+    for (int axis = 0; axis < 3; ++axis) {
+        result.least[axis] = product(box.least[axis], factor);
+        result.greatest[axis] = product(box.greatest[axis], factor);
     }
     return result;
 }
@@ -87,6 +103,9 @@ double sumOfPowers(double factor, std::uint64_t count)
     const auto terms = static_cast<double>(count);
     if (factor == 1.0) {
         return terms * (1.0 + epsilon);
+    }
+    if (std::isinf(factor)) {
+        return factor;
     }
     const double sum = std::expm1(terms * std::log(factor)) / (factor - 1.0);
     return std::min(sum, factor < 1.0 ? 1.0 / (1.0 - factor) : sum) * (1.0 + 1e-6);
@@ -108,6 +127,9 @@ public:
     Box grown(const std::vector<LevelRun> &runs, Box box, Part part = Part::Whole, int nesting = 0) const
     {
         for (const auto &[slot, repeat, passes] : runs | std::views::reverse) {
+            if (box.isEmpty()) {
+                return box;
+            }
             if (repeat == 0) {
                 box = level(slot, box, part);
             } else if (nesting == mostNesting) {
@@ -124,7 +146,6 @@ public:
 private:
     /// Each doubles the work.
     static constexpr int mostNesting = 6;
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
     static constexpr Box everything{glm::dvec3(-infinity), glm::dvec3(infinity)};
 
     Box level(Slot slot, const Box &box, Part part) const
@@ -143,7 +164,8 @@ private:
                  int nesting) const
     {
         if (onlyMoves(repeat)) {
-            return sum(box, static_cast<double>(passes), grown(pass, {}, Part::Whole, nesting));
+            const Box moved = grown(pass, {}, Part::Whole, nesting);
+            return moved.isEmpty() ? moved : sum(box, static_cast<double>(passes), moved);
         }
         constexpr std::uint64_t mostAlone = 32;
         const std::uint64_t alone = isSimple(pass) ? std::min(passes, mostAlone) : 0;
@@ -154,10 +176,25 @@ private:
             return box;
         }
         const Box next = grown(pass, box, Part::Whole, nesting);
-        const Box out{glm::min(next.least - box.least, 0.0), glm::max(next.greatest - box.greatest, 0.0)};
+        if (next.isEmpty()) {
+            return next;
+        }
+        const Box out = movedOut(box, next);
         const Stretched most = stretched(pass, out, nesting);
         const Box all = scaled(most.box, sumOfPowers(most.factor, passes - alone));
         return sum(box, 1.0, all);
+    }
+
+    /// How far the sides of the second box are outside those of the first.
+    static Box movedOut(const Box &box, const Box &next)
+    {
+        Box out;
+        for (int axis = 0; axis < 3; ++axis) { // infinite sides are not compared: their difference is no number
+            out.least[axis] = next.least[axis] < box.least[axis] ? next.least[axis] - box.least[axis] : 0.0;
+            out.greatest[axis] =
+                next.greatest[axis] > box.greatest[axis] ? next.greatest[axis] - box.greatest[axis] : 0.0;
+        }
+        return out;
     }
 
     /// Round all sums of a point of one box and so many times a point of the other.

@@ -221,6 +221,8 @@ private Q_SLOTS:
     void whatKeepsToTheAxesIsFollowedAxisByAxis();
     void whatGrowsLeavesTheRestTight();
     void growthIsFollowedAsFarAsNumbersGo();
+    void nestsThatTurnHaveBoxes();
+    void whatAnEmptyLevelEndsHasNoBox();
     void flatFractalsHaveFlatBoxes();
     void theEndIsTheMesh();
     void manyLevelsTakeTimeAsTheyAreMany_data();
@@ -484,6 +486,47 @@ void TestBoxBounds::growthIsFollowedAsFarAsNumbersGo()
     // Which of the outer levels turn hardly matters to the reach, so that there are too many ways to look at: no tighter
     // than the sphere then.
     QVERIFY(box.size().x < 12 * farthest && box.size().y < 12 * farthest && box.size().z < 2 * farthest);
+}
+
+/// Intervals that turn grow beyond all numbers; spheres do not.
+void TestBoxBounds::nestsThatTurnHaveBoxes()
+{
+    std::mt19937_64 random(76);
+    Fractal fractal;
+    fractal.maps = {mapFromParts({0.1, 0, 0}, {0, 30, 45}, glm::dvec3(1)), moved(1, 0, 0)};
+    fractal.sets = {{{0}, false}, {{0}, true}, {{1}, false}};
+    for (const SetId turning : {0u, 1u}) {
+        fractal.items = {{5'000, 0, {{0, turning, {}}}}, {0, 2, {}}};
+        for (int nesting = 0; nesting < 4; ++nesting) {
+            fractal.items = {{3, 0, fractal.items}, {0, 2, {}}};
+            const FractalGraph graph = graphOf(fractal, wedge());
+            const BoxBounds boxes(graph, wedge());
+            const FractalDescription description = fractal.description();
+            const Folder folder(description);
+            Point point = points(wedge()).front();
+            for (Position position = graph.levels().levelCount(); position-- > 0;) {
+                point = folder.fold(position, point, random);
+                QVERIFY(position % 997 != 0 || holds(boxes.at(graph, position), point, 1e-9L));
+            }
+            const Box box = boxes.at(graph, 0);
+            QVERIFY(glm::length(box.size()) <= 4.0 * graph.bound(0).radius);
+        }
+    }
+}
+
+void TestBoxBounds::whatAnEmptyLevelEndsHasNoBox()
+{
+    Fractal fractal;
+    fractal.maps = {moved(1, 0, 0), mapFromParts({0, 0, 0}, {0, 30, 45}, glm::dvec3(1))};
+    fractal.sets = {{{0}, false}, {{0, 1}, true}, {{}, false}};
+    for (const SetId set : {0u, 1u}) {
+        for (const bool isFirst : {true, false}) {
+            fractal.items = {{0, set, {}}};
+            fractal.items.insert(isFirst ? fractal.items.begin() : fractal.items.end(), {0, 2, {}});
+            fractal.items = {{100'000, 0, fractal.items}, {100'000, 0, {{0, set, {}}}}};
+            QVERIFY(boxAt(fractal, wedge(), 0).isEmpty());
+        }
+    }
 }
 
 void TestBoxBounds::flatFractalsHaveFlatBoxes()
