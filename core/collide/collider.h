@@ -54,6 +54,7 @@ struct Hit {
 
 /// Which point of the surface is asked for.
 struct Query {
+    /// Finite, and at most 1e150 along each axis.
     glm::dvec3 p{0.0};
     /// Only points at most so far from p count.
     double radius = std::numeric_limits<double>::infinity();
@@ -69,7 +70,7 @@ class Search
 public:
     virtual ~Search() = default;
 
-    /// The nearest point of the surface to p. p must be finite. Of several that are equally near, but for rounding, it is
+    /// The nearest point of the surface to p. Of several that are equally near, but for rounding, it is
     /// always the same one.
     virtual void closest(const Query &query, Hit &hit) = 0;
 };

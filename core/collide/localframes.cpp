@@ -157,7 +157,9 @@ void LocalFrames::finish(const Frame &frame, const LeafHit &leaf, std::span<cons
 void LocalFrames::finish(const Frame &frame, const Box &box, std::span<const DescentStep> path, Hit &hit) const
 {
     const glm::dvec3 middle = box.centre();
-    place(hit, {middle, glm::distance(middle, frame.p), 0.0}, {middle, middle, middle}, frame.p);
+    const glm::dvec3 way = frame.p - middle;
+    // a box that is small enough to be finished may be so far off that squares overflow
+    place(hit, {middle, std::hypot(way.x, way.y, way.z), 0.0}, {middle, middle, middle}, frame.p);
     takeOut(frame, path, hit);
 }
 

@@ -74,6 +74,7 @@ private Q_SLOTS:
     void itFindsTheNearestOfAllFaces();
     void similaritiesAreSearchedInTheirFrames();
     void bothWaysAgree();
+    void whatIsVeryFarIsFound();
     void nothingBeyondTheRadiusCounts();
     void anExcessIsKept();
     void aSpentBudgetIsAdmitted();
@@ -173,6 +174,30 @@ void TestExactCollider::bothWaysAgree()
             relative.closest({p}, other);
             QVERIFY(std::abs(one.distance - other.distance) <= 1e-13 * size);
             QVERIFY(std::max(one.lower, other.lower) <= std::min(one.distance, other.distance) * (1 + 1e-15));
+        }
+    }
+}
+
+/// As far as squares go, also in the frames of very small copies.
+void TestExactCollider::whatIsVeryFarIsFound()
+{
+    std::mt19937_64 random(59);
+    const Mesh mesh = randomMesh(random);
+    for (const glm::dvec3 &scale : {glm::dvec3(1), glm::dvec3(1e-12), glm::dvec3(1e6), glm::dvec3(1e-12, 1, 0)}) {
+        naive::Fractal fractal;
+        fractal.maps = {mapFromParts({1, 2, 3}, {0, 30, 0}, scale), mapFromParts({1, 0, 0}, {0, 0, 0}, scale)};
+        fractal.sets = {{{0, 1}, false}};
+        fractal.items = {{0, 0, {}}};
+        const auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
+        const BoxBounds boxes(*graph, mesh);
+        const auto collider = ExactCollider::create(*graph, boxes, mesh);
+        for (const double size : {1e30, 1e100, 1e150}) { // beside which the fractal is a point
+            const glm::dvec3 p = randomPoint(random, size);
+            Hit hit;
+            collider->search()->closest({p}, hit);
+            QVERIFY(std::abs(hit.distance - glm::length(p)) <= 1e-14 * size);
+            QVERIFY(hit.lower <= hit.distance && hit.distance - hit.lower <= 1e-12 * size);
+            QVERIFY(glm::dot(hit.direction, glm::normalize(p)) > 1 - 1e-12);
         }
     }
 }
