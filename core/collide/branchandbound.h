@@ -142,8 +142,7 @@ private:
         const double distance = next.distance * node.frame.unit;
         const double error = errorOf(node, next);
         if (!isNearer(distance, error)) {
-            drop(distance, error);
-            leave();
+            dropFarther(node);
             return;
         }
         if (next.tightness == Tightness::OfBox
@@ -170,6 +169,22 @@ private:
                                         : m_frames.fineDistanceTo(node.frame, range.set, candidate.map, hulls);
         candidate.distance = std::max(candidate.distance, distance);
         candidate.tightness = isFirst ? Tightness::OfCoarseHull : Tightness::Final;
+    }
+
+    /// Each for itself: one that is farther than the nearest may be off by more, and be nearer in truth.
+    void dropFarther(const Node &node)
+    {
+        const auto first = m_candidates.begin() + static_cast<std::ptrdiff_t>(node.firstCandidate);
+        const auto isFarther = [&](const Candidate &candidate) {
+            const double distance = candidate.distance * node.frame.unit;
+            const double error = errorOf(node, candidate);
+            if (isNearer(distance, error)) {
+                return false;
+            }
+            drop(distance, error);
+            return true;
+        };
+        m_candidates.erase(std::remove_if(first, m_candidates.end(), isFarther), m_candidates.end());
     }
 
     void goDown(const Node &node, const Candidate &candidate)

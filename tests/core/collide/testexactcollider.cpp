@@ -75,6 +75,7 @@ private Q_SLOTS:
     void similaritiesAreSearchedInTheirFrames();
     void bothWaysAgree();
     void whatIsVeryFarIsFound();
+    void whatIsRoundedMoreIsBoundedByMore();
     void nothingBeyondTheRadiusCounts();
     void anExcessIsKept();
     void aSpentBudgetIsAdmitted();
@@ -200,6 +201,30 @@ void TestExactCollider::whatIsVeryFarIsFound()
             QVERIFY(glm::dot(hit.direction, glm::normalize(p)) > 1 - 1e-12);
         }
     }
+}
+
+/// Copies far out in their frame are dropped beside others, and are nearer in truth than they are computed to be.
+void TestExactCollider::whatIsRoundedMoreIsBoundedByMore()
+{
+    Mesh mesh;
+    mesh.vertices = {{-1e8, -1, -1}, {-1e8, 2, -1}, {-1e8, -1, 2}};
+    mesh.faces = {{0, 1, 2}};
+    naive::Fractal fractal;
+    const glm::dvec3 small(1e-8);
+    fractal.maps = {mapFromParts({3 - 4e-9, 0, 0}, {0, 0, 0}, small),
+                    mapFromParts({3 - 4e-9, 1e-9, 0}, {0, 0, 0}, small),
+                    mapFromParts({1e8, 0, 0}, {0, 0, 0}, glm::dvec3(1))};
+    fractal.sets = {{{0, 1}, true}, {{2}, true}};
+    fractal.items = {{0, 0, {}}, {0, 1, {}}};
+    const auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
+    const BoxBounds boxes(*graph, mesh);
+    const auto collider = ExactCollider::create(*graph, boxes, mesh);
+    // faces across x at 0, seen as one place in 1e8, and at 2 - 4e-9
+    const glm::dvec3 p(1 - 3e-9, 0, 0);
+    Hit hit;
+    collider->search()->closest({p}, hit);
+    QVERIFY(std::abs(hit.distance - p.x) < 1e-7);
+    QVERIFY2(hit.lower <= p.x, qPrintable(QString::number(hit.lower - p.x)));
 }
 
 void TestExactCollider::nothingBeyondTheRadiusCounts()
