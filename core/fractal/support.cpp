@@ -31,24 +31,6 @@ double lengthOf(const glm::dvec3 &v)
     return largest > 0.0 ? largest * glm::length(v / largest) : 0.0;
 }
 
-/// The vertices that faces use, each once.
-std::vector<glm::dvec3> usedVertices(const Mesh &mesh)
-{
-    std::vector<bool> isUsed(mesh.vertices.size());
-    for (const auto &face : mesh.faces) {
-        for (const std::uint32_t index : face) {
-            isUsed[index] = true;
-        }
-    }
-    std::vector<glm::dvec3> vertices;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-        if (isUsed[i]) {
-            vertices.push_back(mesh.vertices[i]);
-        }
-    }
-    return vertices;
-}
-
 Support ofSphere(const Sphere &sphere, const glm::dvec3 &direction)
 {
     const double centre = glm::dot(direction, sphere.centre);

@@ -4,21 +4,26 @@
 
 namespace romanesco {
 
+std::vector<glm::dvec3> usedVertices(const Mesh &mesh)
+{
+    std::vector<bool> isUsed(mesh.vertices.size());
+    for (const Mesh::Face &face : mesh.faces) {
+        for (const std::uint32_t index : face) {
+            isUsed[index] = true;
+        }
+    }
+    std::vector<glm::dvec3> vertices;
+    for (std::size_t i = 0; i < isUsed.size(); ++i) {
+        if (isUsed[i]) {
+            vertices.push_back(mesh.vertices[i]);
+        }
+    }
+    return vertices;
+}
+
 Sphere boundingSphere(const Mesh &mesh)
 {
-    std::vector<bool> used(mesh.vertices.size());
-    for (const auto &face : mesh.faces) {
-        for (const std::uint32_t index : face) {
-            used[index] = true;
-        }
-    }
-    std::vector<glm::dvec3> points;
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        if (used[i]) {
-            points.push_back(mesh.vertices[i]);
-        }
-    }
-    return enclosingSphere(points);
+    return enclosingSphere(usedVertices(mesh));
 }
 
 }

@@ -50,6 +50,9 @@ struct Mesh {
     std::vector<std::string> groups{};
 };
 
+/// The vertices that faces use, each once, in their order.
+[[nodiscard]] std::vector<glm::dvec3> usedVertices(const Mesh &mesh);
+
 /// A sphere round the vertices that faces use (stray vertices do not count); empty for a mesh without faces.
 [[nodiscard]] Sphere boundingSphere(const Mesh &mesh);
 
