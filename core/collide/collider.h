@@ -17,7 +17,7 @@ namespace romanesco {
 enum class Promise {
     Exact,      ///< d is m, but for rounding
     Within,     ///< d is at most (1 + excess)·m
-    UpperBound, ///< d is that of a point of the surface; a nearer one may have been missed
+    UpperBound, ///< d is that of a point of the surface, or infinite; a nearer one may have been missed
     None,       ///< may err both ways
 };
 

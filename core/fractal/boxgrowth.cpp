@@ -102,7 +102,7 @@ double sumOfPowers(double factor, std::uint64_t count)
 {
     const auto terms = static_cast<double>(count);
     if (factor == 1.0) {
-        return terms * (1.0 + epsilon);
+        return terms * (1.0 + 4.0 * epsilon);
     }
     if (std::isinf(factor)) {
         return factor;

@@ -33,17 +33,6 @@ std::vector<glm::dvec3> cornersOf(const Box &box)
     return corners;
 }
 
-std::vector<glm::dvec3> verticesOf(const Mesh &mesh)
-{
-    std::vector<glm::dvec3> vertices;
-    for (const Mesh::Face &face : mesh.faces) {
-        for (const std::uint32_t vertex : face) {
-            vertices.push_back(mesh.vertices[vertex]);
-        }
-    }
-    return vertices;
-}
-
 }
 
 class HullBounds::Builder
@@ -58,7 +47,7 @@ public:
 
     std::vector<Hulls> build(const Mesh &mesh)
     {
-        m_hulls[BoundLayout::end] = chosenOf(BoundLayout::end, verticesOf(mesh));
+        m_hulls[BoundLayout::end] = chosenOf(BoundLayout::end, usedVertices(mesh));
         for (const BoundLayout::Stretch &stretch : m_graph.layout().stretches()) {
             for (Node node = stretch.firstOwn; node < stretch.firstOwn + stretch.ownCount; ++node) {
                 m_hulls[node] = chosenOf(node, contentOf(node));
