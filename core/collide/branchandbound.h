@@ -47,7 +47,7 @@ public:
         begin(query);
         if (!boundsOf(m_table.root()).box.isEmpty()) {
             visit({.state = m_table.root()}, m_frames.begin(query.p));
-            while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget) {
+            while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {
                 goOn();
             }
         }

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <stop_token>
 
 #include <glm/vec3.hpp>
 
 #include "core/fractal/address.h"
+#include "core/geometry/affinemap.h"
 
 namespace romanesco {
 
@@ -61,6 +63,8 @@ struct Query {
     /// The search ends early once so many nodes were visited, and promises less then. Of the colliders of fractals that
     /// promise anything; a count, so that answers do not depend on the machine.
     std::uint64_t nodeBudget = std::numeric_limits<std::uint64_t>::max();
+    /// The search also ends early when this is asked for, and promises less then.
+    std::stop_token stop = {};
 };
 
 /// Finds points of a surface. It holds what a search needs between queries, so that none allocates once it has grown:
@@ -83,6 +87,10 @@ public:
     virtual ~Collider() = default;
 
     [[nodiscard]] virtual std::unique_ptr<Search> search() const = 0;
+
+    /// A search of the surface as an affine map places it, in the world's coordinates; mirrored, sheared, flat or all at
+    /// a point. Null where the kind would have to be built anew for that.
+    [[nodiscard]] virtual std::unique_ptr<Search> searchPlaced(const AffineMap &) const { return nullptr; }
 
     /// Bytes held beside the mesh and the graph.
     [[nodiscard]] virtual std::size_t memoryUse() const = 0;

@@ -38,8 +38,13 @@ std::unique_ptr<Search> ExactCollider::search() const
         return std::make_unique<BranchAndBound<LocalFrames>>(
             m_graph, m_boxes, m_hulls, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree), m_excess);
     }
-    return std::make_unique<BranchAndBound<RelativeFrames>>(m_graph, m_boxes, m_hulls,
-                                                            RelativeFrames(m_graph, m_mesh, m_tree), m_excess);
+    return searchPlaced({});
+}
+
+std::unique_ptr<Search> ExactCollider::searchPlaced(const AffineMap &worldFromModel) const
+{
+    return std::make_unique<BranchAndBound<RelativeFrames>>(
+        m_graph, m_boxes, m_hulls, RelativeFrames(m_graph, m_mesh, m_tree, worldFromModel), m_excess);
 }
 
 std::size_t ExactCollider::memoryUse() const

@@ -38,6 +38,7 @@ public:
                                                                           const std::stop_token &stop = {});
 
     [[nodiscard]] std::unique_ptr<Search> search() const override;
+    [[nodiscard]] std::unique_ptr<Search> searchPlaced(const AffineMap &worldFromModel) const override;
     [[nodiscard]] std::size_t memoryUse() const override;
 
     /// Whether p is taken into the frames.

@@ -52,8 +52,9 @@ Maps productsOf(const LevelSequence::Repeat &iteration, const std::vector<Maps> 
 class GreedyCollider::Descent final : public Search
 {
 public:
-    explicit Descent(const GreedyCollider &collider)
+    Descent(const GreedyCollider &collider, const AffineMap &worldFromModel)
         : m_collider(collider)
+        , m_worldFromModel(worldFromModel)
     {
     }
 
@@ -62,10 +63,10 @@ public:
         const LevelSequence &levels = m_collider.m_graph.levels();
         hit.address.clear();
         hit.cost = {};
-        AffineMap modelFromStep;
+        AffineMap worldFromStep = m_worldFromModel;
         NearestFace nearest(m_collider.m_mesh, query.p);
         if (levels.levelCount() == 0) {
-            nearest.consider(modelFromStep, m_vertices);
+            nearest.consider(worldFromStep, m_vertices);
         }
         for (Position position = 0; position < levels.levelCount();) {
             const LevelSequence::Location at = levels.locate(position);
@@ -75,13 +76,16 @@ public:
 
             assert(!maps.empty() && "a level has a map or #");
             nearest.restart();
+            if (query.stop.stop_requested()) {
+                break; // what an earlier step found need not be there in the end
+            }
             std::size_t chosen = 0;
             for (std::size_t i = 0; i < maps.size(); ++i) {
-                if (nearest.consider(modelFromStep * maps[i], m_vertices)) {
+                if (nearest.consider(worldFromStep * maps[i], m_vertices)) {
                     chosen = i;
                 }
             }
-            modelFromStep = modelFromStep * maps[chosen];
+            worldFromStep = worldFromStep * maps[chosen];
             appendPicks(position, end, chosen, hit.address);
             ++hit.cost.nodeVisits;
             position = end;
@@ -107,6 +111,7 @@ private:
     }
 
     const GreedyCollider &m_collider;
+    AffineMap m_worldFromModel;
     std::vector<glm::dvec3> m_vertices;
 };
 
@@ -135,9 +140,9 @@ std::expected<GreedyCollider, std::string> GreedyCollider::create(const FractalG
     return GreedyCollider(graph, mesh);
 }
 
-std::unique_ptr<Search> GreedyCollider::search() const
+std::unique_ptr<Search> GreedyCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
-    return std::make_unique<Descent>(*this);
+    return std::make_unique<Descent>(*this, worldFromModel);
 }
 
 std::size_t GreedyCollider::memoryUse() const

@@ -26,7 +26,8 @@ public:
 
     /// The address of what is found has its picks where the steps made them, which may be later than the canonical word
     /// has them.
-    [[nodiscard]] std::unique_ptr<Search> search() const override;
+    [[nodiscard]] std::unique_ptr<Search> search() const override { return searchPlaced({}); }
+    [[nodiscard]] std::unique_ptr<Search> searchPlaced(const AffineMap &worldFromModel) const override;
     [[nodiscard]] std::size_t memoryUse() const override;
 
 private:

@@ -28,6 +28,11 @@ double sumOfSizes(const glm::dvec3 &v)
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
+double reachOf(const Box &box)
+{
+    return sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
+}
+
 /// From the origin to the parallelepiped of a middle and half edges, never more than it is but for rounding: for any
 /// direction x no point of it is nearer than (x·middle − Σ|x·edge|)/|x|. x is the nearest point, nearly: from the middle
 /// two rounds along the edges.
@@ -61,10 +66,13 @@ std::array<glm::dvec3, 3> halfEdges(const glm::dmat3 &linear, const Box &box)
 
 }
 
-RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree)
+RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree,
+                               const AffineMap &worldFromModel)
     : m_graph(graph)
     , m_mesh(mesh)
     , m_tree(tree)
+    , m_worldFromModel(worldFromModel)
+    , m_norm(operatorNorm(worldFromModel.linear))
 {
     for (SetId set = 0; set < graph.setCount(); ++set) {
         Growth &growth = m_growth.emplace_back();
@@ -78,7 +86,12 @@ RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, cons
 RelativeFrames::Frame RelativeFrames::begin(const glm::dvec3 &p)
 {
     m_p = p;
-    return {.map = {glm::dmat3(1.0), -p}};
+    const AffineMap map{m_worldFromModel.linear, m_worldFromModel.translation - p};
+    // as of a step with one map, to the mesh
+    const double error = m_tree.nodes().empty()
+        ? 0.0
+        : errorOfStep * (sumOfSizes(map.translation) + m_norm * reachOf(m_tree.nodes().front().box));
+    return {.map = map, .norm = m_norm, .error = error};
 }
 
 RelativeFrames::Frame RelativeFrames::child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
@@ -90,10 +103,9 @@ RelativeFrames::Frame RelativeFrames::child(const Frame &frame, SetId set, std::
 double RelativeFrames::errorOf(const Frame &frame, SetId set, const Box &box) const
 {
     const auto [farthest, norm] = m_growth[set];
-    const double reach = sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
     return frame.error
         + errorOfStep
-        * (sumOfSizes(frame.map.translation) + frame.norm * (farthest + (frame.depth + 1) * norm * reach));
+        * (sumOfSizes(frame.map.translation) + frame.norm * (farthest + (frame.depth + 1) * norm * reachOf(box)));
 }
 
 double RelativeFrames::distanceTo(const Frame &frame, const Box &box) const

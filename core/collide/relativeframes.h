@@ -31,8 +31,9 @@ public:
         static constexpr double unit = 1.0;
     };
 
-    /// All must outlive it; the tree is of the mesh.
-    RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree);
+    /// All must outlive it; the tree is of the mesh. The map, of any kind, places all of it.
+    RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree,
+                   const AffineMap &worldFromModel = {});
 
     [[nodiscard]] Frame begin(const glm::dvec3 &p);
     [[nodiscard]] Frame child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
@@ -70,6 +71,8 @@ private:
     const FractalGraph &m_graph;
     const Mesh &m_mesh;
     const FaceTree &m_tree;
+    AffineMap m_worldFromModel;
+    double m_norm = 1.0;
     glm::dvec3 m_p{0.0};
     std::vector<Waiting> m_waiting;
     std::vector<glm::dvec3> m_corners;

@@ -12,28 +12,31 @@ namespace {
 class SimpleSearch final : public Search
 {
 public:
-    SimpleSearch(const FractalGraph &graph, const Mesh &mesh)
+    SimpleSearch(const FractalGraph &graph, const Mesh &mesh, const AffineMap &worldFromModel)
         : m_graph(graph)
         , m_mesh(mesh)
+        , m_worldFromModel(worldFromModel)
     {
     }
 
     void closest(const Query &query, Hit &hit) override
     {
         NearestFace nearest(m_mesh, query.p);
-        CopyWalk copies(m_graph, CopyWalk::Addresses::Keep);
+        CopyWalk copies(m_graph, CopyWalk::Addresses::Keep, query.stop);
         hit.address.clear();
         while (copies.next()) {
-            if (nearest.consider(copies.modelFromBase(), m_vertices)) {
+            if (nearest.consider(m_worldFromModel * copies.modelFromBase(), m_vertices)) {
                 hit.address.assign(copies.address().begin(), copies.address().end());
             }
         }
-        report(nearest, query, Promise::Exact, hit);
+        const bool isCutShort = query.stop.stop_requested();
+        report(nearest, query, isCutShort ? Promise::UpperBound : Promise::Exact, hit);
     }
 
 private:
     const FractalGraph &m_graph;
     const Mesh &m_mesh;
+    AffineMap m_worldFromModel;
     std::vector<glm::dvec3> m_vertices;
 };
 
@@ -45,9 +48,9 @@ SimpleCollider::SimpleCollider(const FractalGraph &graph, const Mesh &mesh)
 {
 }
 
-std::unique_ptr<Search> SimpleCollider::search() const
+std::unique_ptr<Search> SimpleCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
-    return std::make_unique<SimpleSearch>(m_graph, m_mesh);
+    return std::make_unique<SimpleSearch>(m_graph, m_mesh, worldFromModel);
 }
 
 }

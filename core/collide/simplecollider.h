@@ -17,7 +17,8 @@ public:
     /// Both must outlive it; the graph is of that mesh.
     SimpleCollider(const FractalGraph &graph, const Mesh &mesh);
 
-    [[nodiscard]] std::unique_ptr<Search> search() const override;
+    [[nodiscard]] std::unique_ptr<Search> search() const override { return searchPlaced({}); }
+    [[nodiscard]] std::unique_ptr<Search> searchPlaced(const AffineMap &worldFromModel) const override;
     [[nodiscard]] std::size_t memoryUse() const override { return sizeof(*this); }
 
 private:
