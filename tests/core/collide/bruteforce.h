@@ -7,6 +7,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
+#include "core/fractal/address.h"
 #include "core/fractal/fractalgraph.h"
 #include "core/geometry/mesh.h"
 #include "tests/core/fractal/randomfractals.h"
