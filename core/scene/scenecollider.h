@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <expected>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/collide/collider.h"
+#include "core/collide/colliderkind.h"
+#include "core/geometry/box.h"
+#include "core/geometry/similarity.h"
+#include "scene.h"
+
+namespace romanesco {
+
+/// The surface of all objects and fractals of a scene, each at its place, in the world's coordinates. Balls move, so they
+/// are no part of it.
+///
+/// Items that share a model share its collider. Where an item's place is a similarity a query goes into the model's
+/// coordinates; anywhere else (sheared, flat, at a point) into a search of the surface as it is placed, and what has to be
+/// written out is written out where it stands.
+///
+/// It promises of a scene what its kind does of an item. Each item is passed over whose box is farther than what was
+/// found; a query costs some nanoseconds for each besides, and a budget of nodes is for all together.
+class SceneCollider final : public Collider
+{
+public:
+    /// Coordinates of a query's p may be so large, either way.
+    static constexpr double farthest = 1e140;
+    /// Bvh writes out so many faces of fractals in all; Simple looks at so many for a point.
+    static constexpr std::uint64_t mostFaces = 100'000'000;
+
+    struct Options {
+        ColliderKind kind = ColliderKind::Exact;
+        /// Of Approximate.
+        double excess = 1e-3;
+    };
+
+    /// The error is a sentence, with the item's path where it has one: what the kind of collider cannot do, or cancelled.
+    [[nodiscard]] static std::expected<SceneCollider, std::string>
+    create(std::shared_ptr<const Scene> scene, const Options &options, const std::stop_token &stop = {});
+
+    /// A SceneSearch.
+    [[nodiscard]] std::unique_ptr<Search> search() const override;
+    [[nodiscard]] std::size_t memoryUse() const override;
+
+private:
+    friend class SceneSearch;
+    class Builder;
+
+    /// What is searched: a model's own, or one in the world's coordinates.
+    struct Surface {
+        std::shared_ptr<const Collider> collider;
+        std::optional<AffineMap> worldFromModel = {};
+    };
+    /// An item with faces.
+    struct Placed {
+        std::size_t item = 0;
+        /// In the world.
+        Box box;
+        std::size_t surface = 0;
+        /// None where the surface is in the world's coordinates already.
+        std::optional<Similarity> worldFromModel = {};
+    };
+
+    SceneCollider() = default;
+
+    std::shared_ptr<const Scene> m_scene;
+    /// What has been written out, for the colliders of it.
+    std::vector<std::unique_ptr<const Mesh>> m_meshes;
+    std::vector<Surface> m_surfaces;
+    std::vector<Placed> m_placed;
+    /// What an answer promises that was not cut short.
+    Promise m_promise = Promise::Exact;
+    double m_excess = 0.0;
+};
+
+/// A search of a scene. Of items that are equally near it finds the one whose box is nearer, then the first.
+class SceneSearch final : public Search
+{
+public:
+    explicit SceneSearch(const SceneCollider &collider);
+
+    /// No coordinate of p may be beyond SceneCollider::farthest.
+    void closest(const Query &query, Hit &hit) override;
+
+    /// By the last query, the item in Scene::items that the hit's face and address are of. Only where one was found.
+    [[nodiscard]] std::size_t item() const { return m_item; }
+
+private:
+    struct Waiting {
+        double distance;
+        std::size_t placed;
+    };
+
+    void listItems(const glm::dvec3 &p);
+    [[nodiscard]] Waiting takeNearest();
+    void searchItem(const SceneCollider::Placed &placed, const Query &query);
+    void searchModel(Search &search, const Similarity &worldFromModel, const Query &query);
+    void take(const SceneCollider::Placed &placed, Hit &hit);
+    void promise(const Query &query, bool isCutShort, Hit &hit) const;
+
+    const SceneCollider &m_collider;
+    /// By surface, each made when it is first needed.
+    std::vector<std::unique_ptr<Search>> m_searches;
+    /// A heap of the items that were not looked at, the nearest box on top.
+    std::vector<Waiting> m_waiting;
+    Hit m_ofItem;
+    std::size_t m_item = 0;
+};
+
+}
