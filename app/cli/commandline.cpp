@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::array commands = {
     Command{"check", "FILE… [--json]", "tell all that is wrong or odd in files", runCheck},
+    Command{"closest", "FILE --points PTS [--collider KIND] [--tolerance EPS] [--within R] …",
+            "find the nearest point of the surface from each of many points", runClosest},
     Command{"export", "FILE -o OUT.obj [--depth N] [--digits N] [--weld] …",
             "write all copies as a mesh: .obj, .ply, .stl or .glb", runExport},
     Command{"format", "FILE… [--check]", "tidy the layout of files, in place", runFormat},

@@ -24,6 +24,7 @@ struct Command {
 [[nodiscard]] QString helpText();
 
 int runCheck(const QStringList &arguments);
+int runClosest(const QStringList &arguments);
 int runExport(const QStringList &arguments);
 int runFormat(const QStringList &arguments);
 int runInfo(const QStringList &arguments);

@@ -12,6 +12,8 @@ std::string systemReason(int number)
     switch (number) {
     case ENOENT:
         return "no such file";
+    case EISDIR:
+        return "it is a directory";
     case EACCES:
     case EPERM:
         return "permission denied";
