@@ -10,41 +10,15 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/geometry/similarity.h"
 #include "nearest.h"
 
 namespace romanesco {
 
 namespace {
 
-/// Of the squares of the axes and of their products, in the largest axis' square: a few roundings.
-constexpr double mostDefect = 1e-14;
 /// What a step may put p off by, of the numbers that are added: nine products and sums, with factors that are rounded.
 constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
-
-/// That of a similarity to the last digit, where an operator norm would be an upper bound.
-double meanScale(const glm::dmat3 &linear)
-{
-    const double largest = operatorNorm(linear);
-    double squares = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        const glm::dvec3 axis = linear[column] / largest;
-        squares += glm::dot(axis, axis);
-    }
-    return largest * std::sqrt(squares / 3.0);
-}
-
-bool keepsAngles(const glm::dmat3 &linear, double scale)
-{
-    const glm::dmat3 unit = linear / scale;
-    const glm::dmat3 defect = glm::transpose(unit) * unit - glm::dmat3(1.0);
-    double most = 0.0;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            most = std::max(most, std::abs(defect[column][row]));
-        }
-    }
-    return most <= mostDefect;
-}
 
 double sumOfSizes(const glm::dvec3 &v)
 {
@@ -62,12 +36,12 @@ std::optional<LocalFrames::Inverses> LocalFrames::inverses(const FractalGraph &g
 {
     Inverses inverses(graph.setCount());
     for (SetId set = 0; set < graph.setCount(); ++set) {
-        for (const auto &[map, facts] : std::views::zip(graph.set(set).maps, graph.facts(set))) {
-            const double scale = meanScale(map.linear);
-            if (!facts.inverse || !keepsAngles(map.linear, scale)) {
+        for (const AffineMap &map : graph.set(set).maps) {
+            const std::optional<Similarity> similarity = similarityOf(map);
+            if (!similarity) {
                 return std::nullopt;
             }
-            const AffineMap &inverse = *facts.inverse;
+            const auto &[forward, inverse, scale] = *similarity;
             inverses[set].push_back({inverse, {inverse.linear * scale, inverse.translation * scale}, scale});
         }
     }

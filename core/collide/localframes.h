@@ -27,7 +27,7 @@ public:
         AffineMap turned;
         double scale = 1.0;
     };
-    /// By set and map; nothing where a map is no similarity, to 1e-14.
+    /// By set and map; nothing where a map is not what similarityOf() takes for one.
     using Inverses = std::vector<std::vector<Inverse>>;
     [[nodiscard]] static std::optional<Inverses> inverses(const FractalGraph &graph);
 
