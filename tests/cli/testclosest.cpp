@@ -269,7 +269,7 @@ void TestClosest::beyondTheRadiusIsInf()
 
 void TestClosest::aBudgetIsAdmitted()
 {
-    const QByteArray points = "2 12 3\n";
+    const QByteArray points = "-11.7 -2.2 -5.9\n";
     const QString file = examples + QStringLiteral("appendix-b.fdo");
     const auto all = rowsOf(ask(file, points).out);
     QCOMPARE(all.size(), 1);
