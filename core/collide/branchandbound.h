@@ -6,15 +6,16 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <deque>
+#include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "boundedstates.h"
 #include "collider.h"
-#include "core/fractal/boxbounds.h"
-#include "core/fractal/fractalgraph.h"
-#include "core/fractal/hullbounds.h"
-#include "core/fractal/statetable.h"
 #include "descent.h"
+#include "lanes.h"
 #include "nearest.h"
 
 namespace romanesco {
@@ -31,13 +32,9 @@ public:
     /// The graph, the boxes and the hulls must outlive it. excess: how much farther than the least a distance may be, in parts of it.
     BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls, Frames frames,
                    double excess)
-        : m_graph(graph)
-        , m_boxes(boxes)
-        , m_hulls(hulls)
+        : m_states(graph, boxes, hulls)
         , m_frames(std::move(frames))
         , m_excess(excess)
-        , m_table(graph)
-        , m_meshBox(boxes.at(graph, graph.levels().levelCount()))
     {
     }
 
@@ -45,8 +42,8 @@ public:
     {
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
-        if (!boundsOf(m_table.root()).box.isEmpty()) {
-            visit({.state = m_table.root()}, m_frames.begin(query.p));
+        if (!m_states.bounds(m_states.root()).box.isEmpty()) {
+            visit({.state = m_states.root()}, m_frames.begin(query.p));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {
                 goOn();
             }
@@ -62,45 +59,39 @@ private:
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
     /// Most searches end before fine hulls pay.
     static constexpr std::uint64_t visitsBeforeFine = 64;
-    static constexpr std::size_t mostTableBytes = 64'000'000;
-    /// Of a candidate: the base mesh itself.
-    static constexpr std::uint32_t leaf = std::numeric_limits<std::uint32_t>::max();
     /// Deeper units would not be numbers.
     static constexpr double leastUnit = 1e-290;
 
+    /// What the distance to a child was found by. A better one is asked only of what seems nearest.
     enum class Tightness : std::uint8_t { OfBox, OfCoarseHull, Final };
 
-    /// What a node leads to, at so great a distance or more, in its frame's unit.
-    struct Candidate {
-        double distance;
-        std::uint32_t range;
-        std::uint32_t map;
-        /// What the distance was found by. A better one is asked only of what seems nearest.
-        Tightness tightness;
+    /// What is known of a state for every search.
+    struct Known {
+        std::span<const DescentStep> children;
+        typename Frames::Children boxes;
+        /// At first.
+        std::vector<Tightness> tightness;
     };
 
-    /// Round all that a state leads to.
-    struct Bounds {
-        Box box;
-        const HullBounds::Hulls *hulls;
-    };
-
-    /// A state that is being looked at.
+    /// A state that is being looked at. Its children are at so great distances or more, in its frame's unit; infinite where
+    /// they were visited.
     struct Node {
-        StateId state;
+        const Known *known;
         Frame frame;
-        std::size_t firstCandidate;
+        /// How far off distances are, in the model's unit.
+        double error;
+        std::size_t firstDistance;
     };
 
     void begin(const Query &query)
     {
-        if (m_table.memoryUse() > mostTableBytes) {
-            m_table.forget();
-            m_stateBounds.clear();
+        if (m_states.forgetIfLarge()) {
+            m_known.clear();
         }
         m_nodes.clear();
         m_path.clear();
-        m_candidates.clear();
+        m_distances.clear();
+        m_tightness.clear();
         m_cost = {};
         m_found = Found::Nothing;
         m_best = query.radius;
@@ -119,82 +110,50 @@ private:
 
     void drop(double distance, double error) { m_lower = std::min(m_lower, distance - error); }
 
-    [[nodiscard]] double errorOf(const Node &node, const Candidate &candidate)
-    {
-        if (candidate.range == leaf) {
-            return node.frame.error;
-        }
-        const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        return m_frames.errorOf(node.frame, range.set, boundsOf(range.next).box);
-    }
-
-    /// The nearest candidate of the node that was entered last; back where none is near enough.
+    /// The nearest child of the node that was entered last; back where none is near enough.
     void goOn()
     {
         const Node &node = m_nodes.back();
-        const auto candidates = m_candidates.begin() + static_cast<std::ptrdiff_t>(node.firstCandidate);
-        const auto nearest = std::ranges::min_element(candidates, m_candidates.end(), {}, &Candidate::distance);
-        if (nearest == m_candidates.end()) {
+        const std::size_t child = leastOf(std::span(m_distances).subspan(node.firstDistance));
+        double &inFrame = m_distances[node.firstDistance + child];
+        const double distance = inFrame * node.frame.unit;
+        if (!isNearer(distance, node.error) || inFrame == infinity) {
+            drop(distance, node.error);
             leave();
             return;
         }
-        const Candidate next = *nearest;
-        const double distance = next.distance * node.frame.unit;
-        const double error = errorOf(node, next);
-        if (!isNearer(distance, error)) {
-            dropFarther(node);
+        const DescentStep &step = node.known->children[child];
+        Tightness &tightness = m_tightness[node.firstDistance + child];
+        if (tightness == Tightness::OfBox
+            || (tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine)) {
+            inFrame = std::max(inFrame, tighterDistance(node, step, tightness));
             return;
         }
-        if (next.tightness == Tightness::OfBox
-            || (next.tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine)) {
-            tighten(node, *nearest);
-            return;
-        }
-        *nearest = m_candidates.back();
-        m_candidates.pop_back();
-        if (next.range == leaf) {
+        inFrame = infinity;
+        if (step.isToMesh()) {
             measure(node.frame);
         } else {
-            goDown(node, next);
+            goDown(node, step, distance);
         }
     }
 
     /// What seems nearest may be farther, and not the nearest.
-    void tighten(const Node &node, Candidate &candidate)
+    double tighterDistance(const Node &node, const DescentStep &step, Tightness &tightness)
     {
-        const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        const HullBounds::Hulls &hulls = *boundsOf(range.next).hulls;
-        const bool isFirst = candidate.tightness == Tightness::OfBox;
-        const double distance = isFirst ? m_frames.roughDistanceTo(node.frame, range.set, candidate.map, hulls)
-                                        : m_frames.fineDistanceTo(node.frame, range.set, candidate.map, hulls);
-        candidate.distance = std::max(candidate.distance, distance);
-        candidate.tightness = isFirst ? Tightness::OfCoarseHull : Tightness::Final;
+        const HullBounds::Hulls &hulls = *m_states.bounds(step.state).hulls;
+        if (tightness == Tightness::OfBox) {
+            tightness = Tightness::OfCoarseHull;
+            return m_frames.roughDistanceTo(node.frame, step, hulls);
+        }
+        tightness = Tightness::Final;
+        return m_frames.fineDistanceTo(node.frame, step, hulls);
     }
 
-    /// Each for itself: one that is farther than the nearest may be off by more, and be nearer in truth.
-    void dropFarther(const Node &node)
+    void goDown(const Node &node, const DescentStep &step, double distance)
     {
-        const auto first = m_candidates.begin() + static_cast<std::ptrdiff_t>(node.firstCandidate);
-        const auto isFarther = [&](const Candidate &candidate) {
-            const double distance = candidate.distance * node.frame.unit;
-            const double error = errorOf(node, candidate);
-            if (isNearer(distance, error)) {
-                return false;
-            }
-            drop(distance, error);
-            return true;
-        };
-        m_candidates.erase(std::remove_if(first, m_candidates.end(), isFarther), m_candidates.end());
-    }
-
-    void goDown(const Node &node, const Candidate &candidate)
-    {
-        const ChildRange &range = m_table.expansion(node.state).ranges[candidate.range];
-        const Box &box = boundsOf(range.next).box;
-        const Frame frame = m_frames.child(node.frame, range.set, candidate.map, box);
-        const DescentStep step{range.set, candidate.map, range.next};
+        const Box &box = m_states.bounds(step.state).box;
+        const Frame frame = m_frames.child(node.frame, step, node.error);
         const double size = m_frames.sizeOf(frame, box) * frame.unit;
-        const double distance = candidate.distance * node.frame.unit;
         if (size <= std::max(epsilon / 2.0 * distance, frame.error) || frame.unit < leastUnit) {
             settle(step, frame, box, distance);
         } else {
@@ -205,11 +164,11 @@ private:
 
     void visit(const DescentStep &step, const Frame &frame)
     {
-        if (m_table.expansion(step.state).ranges.empty()) {
+        if (m_states.isMesh(step.state)) {
             measure(frame);
             stepBack();
         } else {
-            enter(step, frame);
+            enter(step.state, frame);
         }
     }
 
@@ -228,39 +187,41 @@ private:
         }
     }
 
-    void enter(const DescentStep &step, const Frame &frame)
+    void enter(StateId state, const Frame &frame)
     {
         ++m_cost.nodeVisits;
         m_deepest = std::max(m_deepest, m_path.size());
-        m_nodes.push_back({step.state, frame, m_candidates.size()});
-        const Expansion &expansion = m_table.expansion(step.state);
-        if (expansion.hasLeaf) {
-            consider({m_frames.distanceTo(frame, m_meshBox), leaf, 0, Tightness::Final}, frame, frame.error);
-        }
-        for (std::uint32_t i = 0; i < expansion.ranges.size(); ++i) {
-            const ChildRange &range = expansion.ranges[i];
-            const auto [box, hulls] = boundsOf(range.next);
-            const double error = m_frames.errorOf(frame, range.set, box);
-            for (std::uint32_t map = range.firstMap; map < range.endMap && !box.isEmpty(); ++map) {
-                const double distance = m_frames.distanceTo(frame, range.set, map, box);
-                consider({distance, i, map, hulls ? Tightness::OfBox : Tightness::Final}, frame, error);
-            }
-        }
+        const Known &known = knownOf(state);
+        const std::size_t first = m_distances.size();
+        m_nodes.push_back({&known, frame, m_frames.errorOf(frame, known.boxes), first});
+        m_distances.resize(first + known.tightness.size());
+        m_frames.distancesTo(frame, known.boxes, m_distances.data() + first);
+        std::fill(m_distances.begin() + static_cast<std::ptrdiff_t>(first + known.children.size()), m_distances.end(),
+                  infinity);
+        m_tightness.insert(m_tightness.end(), known.tightness.begin(), known.tightness.end());
     }
 
-    void consider(const Candidate &candidate, const Frame &frame, double error)
+    const Known &knownOf(StateId state)
     {
-        const double distance = candidate.distance * frame.unit;
-        if (isNearer(distance, error)) {
-            m_candidates.push_back(candidate);
-        } else {
-            drop(distance, error);
+        if (m_known.size() <= state) {
+            m_known.resize(state + 1);
         }
+        Known &known = m_known[state];
+        if (known.children.empty()) {
+            known.children = m_states.children(state);
+            known.boxes = m_frames.boxesOf(known.children, m_states);
+            known.tightness.resize(blocksFor(known.children.size()) * laneCount, Tightness::Final);
+            std::ranges::transform(known.children, known.tightness.begin(), [&](const DescentStep &step) {
+                return !step.isToMesh() && m_states.bounds(step.state).hulls ? Tightness::OfBox : Tightness::Final;
+            });
+        }
+        return known;
     }
 
     void leave()
     {
-        m_candidates.resize(m_nodes.back().firstCandidate);
+        m_distances.resize(m_nodes.back().firstDistance);
+        m_tightness.resize(m_nodes.back().firstDistance);
         m_nodes.pop_back();
         stepBack();
     }
@@ -293,11 +254,11 @@ private:
     void giveUp()
     {
         m_isCutShort = !m_nodes.empty();
-        for (std::size_t i = 0; i < m_nodes.size(); ++i) {
-            const std::size_t end = i + 1 < m_nodes.size() ? m_nodes[i + 1].firstCandidate : m_candidates.size();
-            for (std::size_t j = m_nodes[i].firstCandidate; j < end; ++j) {
-                drop(m_candidates[j].distance * m_nodes[i].frame.unit, errorOf(m_nodes[i], m_candidates[j]));
-            }
+        while (!m_nodes.empty()) {
+            const Node &node = m_nodes.back();
+            const auto distances = std::span(m_distances).subspan(node.firstDistance);
+            drop(std::ranges::min(distances) * node.frame.unit, node.error);
+            leave();
         }
     }
 
@@ -313,7 +274,7 @@ private:
             m_frames.finish(m_bestFrame, m_bestBox, m_bestPath, hit);
         }
         if (m_found != Found::Nothing) {
-            fillAddress(hit.address);
+            m_states.fillAddress(m_bestPath, hit.address);
         }
         // each level's scale is rounded too
         const double rounded = 1.0 - 64.0 * epsilon * static_cast<double>(m_deepest + 1);
@@ -334,49 +295,17 @@ private:
         }
     }
 
-    void fillAddress(Address &address)
-    {
-        m_reached.clear();
-        for (const DescentStep &step : m_bestPath) {
-            const Positions &positions = m_table.state(step.state).positions;
-            address.push_back({positions.front() - 1, step.map});
-            if (m_graph.setsShareMaps()) {
-                m_reached.push_back(positions);
-            }
-        }
-        if (m_graph.setsShareMaps()) {
-            placePicks(m_graph, m_reached, address);
-        }
-    }
-
-    const Bounds &boundsOf(StateId state)
-    {
-        while (m_stateBounds.size() <= state) {
-            const Positions &positions = m_table.state(static_cast<StateId>(m_stateBounds.size())).positions;
-            Bounds bounds{Box::ofNothing(), positions.size() == 1 ? m_hulls.at(m_graph, positions.front()) : nullptr};
-            for (const Position position : positions) {
-                bounds.box = bounds.box.with(m_boxes.at(m_graph, position));
-            }
-            m_stateBounds.push_back(bounds);
-        }
-        return m_stateBounds[state];
-    }
-
-    const FractalGraph &m_graph;
-    const BoxBounds &m_boxes;
-    const HullBounds &m_hulls;
+    BoundedStates m_states;
     Frames m_frames;
     const double m_excess;
-    StateTable m_table;
     /// By state.
-    std::vector<Bounds> m_stateBounds;
-    Box m_meshBox;
+    std::deque<Known> m_known;
 
-    /// From the root to where the search is, a step between two nodes; the candidates of each node after those of the one
-    /// above.
+    /// From the root to where the search is, a step between two nodes; what is of each node after that of the one above.
     std::vector<Node> m_nodes;
     std::vector<DescentStep> m_path;
-    std::vector<Candidate> m_candidates;
+    std::vector<double> m_distances;
+    std::vector<Tightness> m_tightness;
     std::size_t m_deepest = 0;
     bool m_isCutShort = false;
 
@@ -388,7 +317,6 @@ private:
     LeafHit m_bestLeaf;
     Box m_bestBox;
     std::vector<DescentStep> m_bestPath;
-    std::vector<Positions> m_reached;
 
     double m_lower = infinity;
     SearchCost m_cost;

@@ -13,11 +13,17 @@
 /// not tell. Lengths are in the units of the frame at hand.
 namespace romanesco {
 
-/// A map that was picked on the way down, and the state that follows.
+/// A map that is picked on the way down, and the state that follows; or the base mesh, in the frame of the state itself.
 struct DescentStep {
     SetId set = 0;
     std::uint32_t map = 0;
     StateId state = 0;
+
+    [[nodiscard]] static constexpr DescentStep toMesh() { return {.map = mesh}; }
+    [[nodiscard]] bool isToMesh() const { return map == mesh; }
+
+private:
+    static constexpr std::uint32_t mesh = std::numeric_limits<std::uint32_t>::max();
 };
 
 /// What a copy of the base mesh has to offer.

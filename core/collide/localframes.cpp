@@ -8,6 +8,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/geometry/similarity.h"
@@ -23,11 +24,6 @@ constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
 double sumOfSizes(const glm::dvec3 &v)
 {
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-double distanceToBox(const glm::dvec3 &p, const glm::dvec3 &least, const glm::dvec3 &greatest)
-{
-    return glm::length(glm::max(glm::max(least - p, p - greatest), glm::dvec3(0.0)));
 }
 
 }
@@ -54,52 +50,59 @@ LocalFrames::LocalFrames(const FractalGraph &graph, const Inverses &inverses, co
     , m_mesh(mesh)
     , m_leaf(mesh, tree)
 {
-    for (const std::vector<Inverse> &ofSet : inverses) {
-        double &farthest = m_farthest.emplace_back(0.0);
-        for (const Inverse &inverse : ofSet) {
-            farthest = std::max(farthest, sumOfSizes(inverse.turned.translation));
+}
+
+LocalFrames::Children LocalFrames::boxesOf(std::span<const DescentStep> children, BoundedStates &states) const
+{
+    Children result{.boxes = std::vector<TurnedBoxes>(blocksFor(children.size()))};
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const DescentStep &step = children[i];
+        const Inverse inverse = step.isToMesh() ? Inverse{} : m_inverses[step.set][step.map];
+        const Box &box = (step.isToMesh() ? states.meshBounds() : states.bounds(step.state)).box;
+        const glm::dvec3 middle = box.centre() * inverse.scale;
+        // of a box that is rounded no part is left out
+        const glm::dvec3 half = glm::max(box.greatest * inverse.scale - middle, middle - box.least * inverse.scale);
+        TurnedBoxes &boxes = result.boxes[i / laneCount];
+        const std::size_t lane = i % laneCount;
+        for (int row = 0; row < 3; ++row) {
+            setLane(boxes.turned[static_cast<std::size_t>(row)], lane, glm::row(inverse.turned.linear, row));
         }
+        setLane(boxes.offset, lane, inverse.turned.translation - middle);
+        setLane(boxes.half, lane, half);
+        result.reach =
+            std::max(result.reach, sumOfSizes(inverse.turned.translation) + sumOfSizes(middle) + sumOfSizes(half));
     }
+    return result;
 }
 
-LocalFrames::Frame LocalFrames::child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
+LocalFrames::Frame LocalFrames::child(const Frame &frame, const DescentStep &step, double error) const
 {
-    const Inverse &inverse = m_inverses[set][map];
-    return {inverse.childFromParent(frame.p), frame.unit * inverse.scale, errorOf(frame, set, box)};
+    const Inverse &inverse = m_inverses[step.set][step.map];
+    return {inverse.childFromParent(frame.p), frame.unit * inverse.scale, error};
 }
 
-double LocalFrames::errorOf(const Frame &frame, SetId set, const Box &) const
+double LocalFrames::errorOf(const Frame &frame, const Children &children) const
 {
-    return frame.error + errorOfStep * (sumOfSizes(frame.p) + m_farthest[set]) * frame.unit;
+    return frame.error + errorOfStep * (sumOfSizes(frame.p) + children.reach) * frame.unit;
 }
 
-double LocalFrames::distanceTo(const Frame &frame, const Box &box) const
+void LocalFrames::distancesTo(const Frame &frame, const Children &children, double *distances) const
 {
-    return distanceToBox(frame.p, box.least, box.greatest);
+    romanesco::distancesTo(children.boxes, frame.p, distances);
 }
 
-double LocalFrames::distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
+double LocalFrames::roughDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls) const
 {
-    const Inverse &inverse = m_inverses[set][map];
-    return distanceToBox(inverse.turned(frame.p), box.least * inverse.scale, box.greatest * inverse.scale);
-}
-
-double LocalFrames::roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
-                                    const HullBounds::Hulls &hulls) const
-{
-    const Inverse &inverse = m_inverses[set][map];
-    const glm::dvec3 way = inverse.turned(frame.p) - hulls.centre * inverse.scale;
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const glm::dvec3 &corner : hulls.coarse.corners) {
-        reach = std::max(reach, glm::dot(way, corner));
-    }
+    const Inverse &inverse = m_inverses[step.set][step.map];
+    const glm::dvec3 way = inverse.turned(frame.p) - hulls.coarse.centre * inverse.scale;
+    const double reach = farthestAlong(hulls.coarse.corners, way);
     const double length = glm::length(way);
     return length > 0.0 ? length - inverse.scale * (reach / length + hulls.coarse.error) : 0.0;
 }
 
-double LocalFrames::fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map, const HullBounds::Hulls &hulls)
+double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls) const
 {
-    const Inverse &inverse = m_inverses[set][map];
+    const Inverse &inverse = m_inverses[step.set][step.map];
     const HullDistance distance = distanceToHull(hulls.fine.corners, inverse.childFromParent(frame.p));
     return inverse.scale * (distance.least - hulls.fine.error);
 }

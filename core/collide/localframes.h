@@ -6,11 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "boundedstates.h"
 #include "collider.h"
 #include "core/fractal/fractalgraph.h"
 #include "core/fractal/hullbounds.h"
 #include "core/geometry/box.h"
 #include "descent.h"
+#include "lanes.h"
 #include "treesearch.h"
 
 namespace romanesco {
@@ -43,20 +45,27 @@ public:
     /// All must outlive it; the tree is of the mesh.
     LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree);
 
+    /// Boxes of the children of a state, in the state's frame.
+    struct Children {
+        std::vector<TurnedBoxes> boxes;
+        /// Bounds the numbers that they are computed from: for the rounding.
+        double reach = 0.0;
+    };
+    [[nodiscard]] Children boxesOf(std::span<const DescentStep> children, BoundedStates &states) const;
+
     [[nodiscard]] Frame begin(const glm::dvec3 &p) const { return {p}; }
-    [[nodiscard]] Frame child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
-    /// How far off, in the model's unit, distances may be in children by a set, which stand in a box.
-    [[nodiscard]] double errorOf(const Frame &frame, SetId set, const Box &box) const;
+    /// error: that of the children.
+    [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
+    /// How far off, in the model's unit, distances may be in children and to them.
+    [[nodiscard]] double errorOf(const Frame &frame, const Children &children) const;
 
-    /// From p to a box in the frame, or in that of a child; never more than it is, but for rounding.
-    [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
-    [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
-
+    /// From p to the box of each child; never more than it is, but for rounding.
+    void distancesTo(const Frame &frame, const Children &children, double *distances) const;
     /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
-    [[nodiscard]] double roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+    [[nodiscard]] double roughDistanceTo(const Frame &frame, const DescentStep &step,
                                          const HullBounds::Hulls &hulls) const;
-    [[nodiscard]] double fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
-                                        const HullBounds::Hulls &hulls);
+    [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step,
+                                        const HullBounds::Hulls &hulls) const;
 
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
@@ -76,8 +85,6 @@ private:
     const Inverses &m_inverses;
     const Mesh &m_mesh;
     TreeSearch m_leaf;
-    /// By set: how far it moves.
-    std::vector<double> m_farthest;
 };
 
 }

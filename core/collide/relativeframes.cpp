@@ -33,35 +33,18 @@ double reachOf(const Box &box)
     return sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
 }
 
-/// From the origin to the parallelepiped of a middle and half edges, never more than it is but for rounding: for any
-/// direction x no point of it is nearer than (x·middle − Σ|x·edge|)/|x|. x is the nearest point, nearly: from the middle
-/// two rounds along the edges.
-double distanceToOrigin(const glm::dvec3 &middle, const std::array<glm::dvec3, 3> &edges)
-{
-    glm::dvec3 nearest = middle;
-    std::array<double, 3> along{};
-    for (int round = 0; round < 2; ++round) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double square = glm::dot(edges[i], edges[i]);
-            if (square > 0.0) {
-                const double next = std::clamp(along[i] - glm::dot(nearest, edges[i]) / square, -1.0, 1.0);
-                nearest += (next - along[i]) * edges[i];
-                along[i] = next;
-            }
-        }
-    }
-    const double length = glm::length(nearest);
-    double reach = glm::dot(nearest, middle);
-    for (const glm::dvec3 &edge : edges) {
-        reach -= std::abs(glm::dot(nearest, edge));
-    }
-    return length > 0.0 && reach > 0.0 ? reach / length : 0.0;
-}
-
 std::array<glm::dvec3, 3> halfEdges(const glm::dmat3 &linear, const Box &box)
 {
     const glm::dvec3 half = 0.5 * box.size();
     return {linear[0] * half.x, linear[1] * half.y, linear[2] * half.z};
+}
+
+void put(Parallelepipeds &boxes, std::size_t lane, const glm::dvec3 &middle, const std::array<glm::dvec3, 3> &edges)
+{
+    setLane(boxes.middle, lane, middle);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        setLane(boxes.edges[i], lane, edges[i]);
+    }
 }
 
 }
@@ -74,13 +57,6 @@ RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, cons
     , m_worldFromModel(worldFromModel)
     , m_norm(operatorNorm(worldFromModel.linear))
 {
-    for (SetId set = 0; set < graph.setCount(); ++set) {
-        Growth &growth = m_growth.emplace_back();
-        for (const auto &[map, facts] : std::views::zip(graph.set(set).maps, graph.facts(set))) {
-            growth.farthest = std::max(growth.farthest, sumOfSizes(map.translation));
-            growth.norm = std::max(growth.norm, facts.norm);
-        }
-    }
 }
 
 RelativeFrames::Frame RelativeFrames::begin(const glm::dvec3 &p)
@@ -94,59 +70,60 @@ RelativeFrames::Frame RelativeFrames::begin(const glm::dvec3 &p)
     return {.map = map, .norm = m_norm, .error = error};
 }
 
-RelativeFrames::Frame RelativeFrames::child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
+RelativeFrames::Children RelativeFrames::boxesOf(std::span<const DescentStep> children, BoundedStates &states) const
 {
-    return {frame.map * m_graph.set(set).maps[map], frame.norm * m_graph.facts(set)[map].norm, frame.depth + 1,
-            errorOf(frame, set, box)};
+    Children result{.boxes = std::vector<Parallelepipeds>(blocksFor(children.size()))};
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const DescentStep &step = children[i];
+        const Box &box = (step.isToMesh() ? states.meshBounds() : states.bounds(step.state)).box;
+        const AffineMap map = step.isToMesh() ? AffineMap{} : m_graph.set(step.set).maps[step.map];
+        const double norm = step.isToMesh() ? 1.0 : m_graph.facts(step.set)[step.map].norm;
+        put(result.boxes[i / laneCount], i % laneCount, map(box.centre()), halfEdges(map.linear, box));
+        result.farthest = std::max(result.farthest, sumOfSizes(map.translation));
+        result.reach = std::max(result.reach, norm * reachOf(box));
+    }
+    return result;
 }
 
-double RelativeFrames::errorOf(const Frame &frame, SetId set, const Box &box) const
+RelativeFrames::Frame RelativeFrames::child(const Frame &frame, const DescentStep &step, double error) const
 {
-    const auto [farthest, norm] = m_growth[set];
+    return {frame.map * m_graph.set(step.set).maps[step.map], frame.norm * m_graph.facts(step.set)[step.map].norm,
+            frame.depth + 1, error};
+}
+
+double RelativeFrames::errorOf(const Frame &frame, const Children &children) const
+{
     return frame.error
         + errorOfStep
-        * (sumOfSizes(frame.map.translation) + frame.norm * (farthest + (frame.depth + 1) * norm * reachOf(box)));
+        * (sumOfSizes(frame.map.translation) + frame.norm * (children.farthest + (frame.depth + 1) * children.reach));
 }
 
-double RelativeFrames::distanceTo(const Frame &frame, const Box &box) const
+void RelativeFrames::distancesTo(const Frame &frame, const Children &children, double *distances) const
 {
-    return distanceToOrigin(frame.map(box.centre()), halfEdges(frame.map.linear, box));
+    romanesco::distancesTo(children.boxes, frame.map, distances);
 }
 
-double RelativeFrames::distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const
-{
-    const AffineMap &inner = m_graph.set(set).maps[map];
-    std::array<glm::dvec3, 3> edges = halfEdges(inner.linear, box);
-    for (glm::dvec3 &edge : edges) {
-        edge = frame.map.linear * edge;
-    }
-    return distanceToOrigin(frame.map(inner(box.centre())), edges);
-}
-
-double RelativeFrames::roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+double RelativeFrames::roughDistanceTo(const Frame &frame, const DescentStep &step,
                                        const HullBounds::Hulls &hulls) const
 {
-    const AffineMap &inner = m_graph.set(set).maps[map];
-    const glm::dvec3 way = frame.map(inner(hulls.centre));
+    const AffineMap &inner = m_graph.set(step.set).maps[step.map];
+    const glm::dvec3 way = frame.map(inner(hulls.coarse.centre));
     const glm::dvec3 inChild = glm::transpose(inner.linear) * (glm::transpose(frame.map.linear) * way);
-    double nearest = infinity;
-    for (const glm::dvec3 &corner : hulls.coarse.corners) {
-        nearest = std::min(nearest, glm::dot(inChild, corner));
-    }
+    const double reach = farthestAlong(hulls.coarse.corners, -inChild);
     const double length = glm::length(way);
-    const double error = frame.norm * m_graph.facts(set)[map].norm * hulls.coarse.error;
-    return length > 0.0 ? length + nearest / length - error : 0.0;
+    const double error = frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.coarse.error;
+    return length > 0.0 ? length - reach / length - error : 0.0;
 }
 
-double RelativeFrames::fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map, const HullBounds::Hulls &hulls)
+double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls)
 {
-    const AffineMap &inner = m_graph.set(set).maps[map];
+    const AffineMap &inner = m_graph.set(step.set).maps[step.map];
     m_corners.clear();
     for (const glm::dvec3 &corner : hulls.fine.corners) {
         m_corners.push_back(frame.map(inner(corner)));
     }
     return distanceToHull(m_corners, glm::dvec3(0.0)).least
-        - frame.norm * m_graph.facts(set)[map].norm * hulls.fine.error;
+        - frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.fine.error;
 }
 
 double RelativeFrames::sizeOf(const Frame &frame, const Box &box) const
@@ -178,8 +155,15 @@ void RelativeFrames::measure(const Frame &frame, double limit, LeafHit &hit)
             measureFaces(frame, node, limit, hit);
             continue;
         }
-        Waiting nearer{distanceTo(frame, nodes[node.first].box), node.first};
-        Waiting farther{distanceTo(frame, nodes[node.first + 1].box), node.first + 1};
+        Parallelepipeds boxes;
+        for (std::uint32_t i = 0; i < 2; ++i) {
+            const Box &box = nodes[node.first + i].box;
+            put(boxes, i, box.centre(), halfEdges(glm::dmat3(1.0), box));
+        }
+        Lanes distances;
+        romanesco::distancesTo({&boxes, 1}, frame.map, distances.data());
+        Waiting nearer{distances[0], node.first};
+        Waiting farther{distances[1], node.first + 1};
         if (farther.distance < nearer.distance) {
             std::swap(nearer, farther);
         }

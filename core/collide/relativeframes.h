@@ -5,12 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "boundedstates.h"
 #include "collider.h"
 #include "core/fractal/fractalgraph.h"
 #include "core/fractal/hullbounds.h"
 #include "core/geometry/box.h"
 #include "descent.h"
 #include "facetree.h"
+#include "lanes.h"
 
 namespace romanesco {
 
@@ -35,20 +37,27 @@ public:
     RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree,
                    const AffineMap &worldFromModel = {});
 
+    /// Boxes of the children of a state, in the state's frame.
+    struct Children {
+        std::vector<Parallelepipeds> boxes;
+        /// How far maps move, and how large the boxes are: for the rounding.
+        double farthest = 0.0;
+        double reach = 0.0;
+    };
+    [[nodiscard]] Children boxesOf(std::span<const DescentStep> children, BoundedStates &states) const;
+
     [[nodiscard]] Frame begin(const glm::dvec3 &p);
-    [[nodiscard]] Frame child(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
-    /// How far off distances may be in children by a set, which stand in a box.
-    [[nodiscard]] double errorOf(const Frame &frame, SetId set, const Box &box) const;
+    /// error: that of the children.
+    [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
+    /// How far off distances may be in children and to them.
+    [[nodiscard]] double errorOf(const Frame &frame, const Children &children) const;
 
-    /// From p to a box in the frame, or in that of a child; never more than it is, but for rounding.
-    [[nodiscard]] double distanceTo(const Frame &frame, const Box &box) const;
-    [[nodiscard]] double distanceTo(const Frame &frame, SetId set, std::uint32_t map, const Box &box) const;
-
+    /// From p to the box of each child; never more than it is, but for rounding.
+    void distancesTo(const Frame &frame, const Children &children, double *distances) const;
     /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
-    [[nodiscard]] double roughDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
+    [[nodiscard]] double roughDistanceTo(const Frame &frame, const DescentStep &step,
                                          const HullBounds::Hulls &hulls) const;
-    [[nodiscard]] double fineDistanceTo(const Frame &frame, SetId set, std::uint32_t map,
-                                        const HullBounds::Hulls &hulls);
+    [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls);
 
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
@@ -76,12 +85,6 @@ private:
     glm::dvec3 m_p{0.0};
     std::vector<Waiting> m_waiting;
     std::vector<glm::dvec3> m_corners;
-    /// By set: how far it moves, and the greatest norm.
-    struct Growth {
-        double farthest = 0.0;
-        double norm = 0.0;
-    };
-    std::vector<Growth> m_growth;
 };
 
 }

@@ -17,7 +17,6 @@ using Node = BoundLayout::Node;
 
 constexpr std::size_t mostNodes = 512;
 constexpr std::size_t mostCorners = 96;
-constexpr std::size_t mostCoarseCorners = 16;
 /// What corners may leave outside, of the box's diagonal.
 constexpr double tolerance = 1e-4;
 /// A hull that comes so near to all corners of its box is no better than that.
@@ -71,13 +70,16 @@ private:
     static Hulls withCoarse(Hull &&fine)
     {
         Hulls hulls{.fine = std::move(fine), .coarse = {}};
-        hulls.coarse = thinned(hulls.fine.corners, mostCoarseCorners, 0.0);
-        hulls.coarse.error += hulls.fine.error;
-        for (const glm::dvec3 &corner : hulls.coarse.corners) {
-            hulls.centre += corner / static_cast<double>(hulls.coarse.corners.size());
+        const Hull few = thinned(hulls.fine.corners, Coarse::cornerCount, 0.0);
+        hulls.coarse.error = few.error + hulls.fine.error;
+        for (const glm::dvec3 &corner : few.corners) {
+            hulls.coarse.centre += corner / static_cast<double>(few.corners.size());
         }
-        for (glm::dvec3 &corner : hulls.coarse.corners) {
-            corner -= hulls.centre;
+        for (std::size_t i = 0; i < Coarse::cornerCount; ++i) {
+            const glm::dvec3 corner = few.corners[i < few.corners.size() ? i : 0] - hulls.coarse.centre;
+            for (int axis = 0; axis < 3; ++axis) {
+                hulls.coarse.corners[static_cast<std::size_t>(axis)][i] = corner[axis];
+            }
         }
         return hulls;
     }
@@ -239,7 +241,7 @@ std::size_t HullBounds::memoryUse() const
 {
     std::size_t bytes = m_hulls.capacity() * sizeof(Hulls);
     for (const Hulls &hulls : m_hulls) {
-        bytes += (hulls.fine.corners.capacity() + hulls.coarse.corners.capacity()) * sizeof(glm::dvec3);
+        bytes += hulls.fine.corners.capacity() * sizeof(glm::dvec3);
     }
     return bytes;
 }

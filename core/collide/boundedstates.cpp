@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "boundedstates.h"
+
+namespace romanesco {
+
+namespace {
+
+constexpr std::size_t mostBytes = 64'000'000;
+/// What searches keep for a child, about.
+constexpr std::size_t bytesOfChild = 200;
+
+}
+
+BoundedStates::BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls)
+    : m_graph(graph)
+    , m_boxes(boxes)
+    , m_hulls(hulls)
+    , m_table(graph)
+    , m_mesh{boxes.at(graph, graph.levels().levelCount())}
+{
+}
+
+const BoundedStates::Bounds &BoundedStates::bounds(StateId state)
+{
+    while (m_bounds.size() <= state) {
+        const Positions &positions = m_table.state(static_cast<StateId>(m_bounds.size())).positions;
+        Bounds bounds{Box::ofNothing(), positions.size() == 1 ? m_hulls.at(m_graph, positions.front()) : nullptr};
+        for (const Position position : positions) {
+            bounds.box = bounds.box.with(m_boxes.at(m_graph, position));
+        }
+        m_bounds.push_back(bounds);
+    }
+    return m_bounds[state];
+}
+
+std::span<const DescentStep> BoundedStates::children(StateId state)
+{
+    if (m_known.size() <= state) {
+        m_known.resize(state + 1);
+    }
+    Known &known = m_known[state];
+    if (!known.isExpanded) {
+        known = {true, listChildren(state)};
+        m_childCount += known.children.size();
+    }
+    return known.children;
+}
+
+std::vector<DescentStep> BoundedStates::listChildren(StateId state)
+{
+    const Expansion &expansion = m_table.expansion(state);
+    std::vector<DescentStep> children;
+    if (expansion.hasLeaf && !m_mesh.box.isEmpty()) {
+        children.push_back(DescentStep::toMesh());
+    }
+    for (const ChildRange &range : expansion.ranges) {
+        for (std::uint32_t map = range.firstMap; map < range.endMap && !bounds(range.next).box.isEmpty(); ++map) {
+            children.push_back({range.set, map, range.next});
+        }
+    }
+    return children;
+}
+
+bool BoundedStates::isMesh(StateId state)
+{
+    return m_table.expansion(state).ranges.empty();
+}
+
+bool BoundedStates::forgetIfLarge()
+{
+    if (m_table.memoryUse() + m_childCount * bytesOfChild <= mostBytes) {
+        return false;
+    }
+    m_table.forget();
+    m_bounds.clear();
+    m_known.clear();
+    m_childCount = 0;
+    return true;
+}
+
+void BoundedStates::fillAddress(std::span<const DescentStep> path, Address &address)
+{
+    m_reached.clear();
+    for (const DescentStep &step : path) {
+        const Positions &positions = m_table.state(step.state).positions;
+        address.push_back({positions.front() - 1, step.map});
+        if (m_graph.setsShareMaps()) {
+            m_reached.push_back(positions);
+        }
+    }
+    if (m_graph.setsShareMaps()) {
+        placePicks(m_graph, m_reached, address);
+    }
+}
+
+}
