@@ -16,6 +16,7 @@ ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, 
     , m_boxes(boxes)
     , m_mesh(mesh)
     , m_tree(std::move(tree))
+    , m_faces(mesh)
     , m_excess(excess)
     , m_hulls(graph, boxes, mesh)
     , m_inverses(LocalFrames::inverses(graph))
@@ -36,7 +37,7 @@ std::unique_ptr<Search> ExactCollider::search() const
 {
     if (m_inverses) {
         return std::make_unique<BranchAndBound<LocalFrames>>(
-            m_graph, m_boxes, m_hulls, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree), m_excess);
+            m_graph, m_boxes, m_hulls, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces), m_excess);
     }
     return searchPlaced({});
 }
@@ -44,12 +45,12 @@ std::unique_ptr<Search> ExactCollider::search() const
 std::unique_ptr<Search> ExactCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
     return std::make_unique<BranchAndBound<RelativeFrames>>(
-        m_graph, m_boxes, m_hulls, RelativeFrames(m_graph, m_mesh, m_tree, worldFromModel), m_excess);
+        m_graph, m_boxes, m_hulls, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel), m_excess);
 }
 
 std::size_t ExactCollider::memoryUse() const
 {
-    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse() + m_hulls.memoryUse();
+    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse() + m_faces.memoryUse() + m_hulls.memoryUse();
     if (m_inverses) {
         bytes += m_inverses->capacity() * sizeof(m_inverses->front());
         for (const auto &ofSet : *m_inverses) {

@@ -13,6 +13,7 @@
 #include "core/fractal/hullbounds.h"
 #include "core/geometry/mesh.h"
 #include "facetree.h"
+#include "leaffaces.h"
 #include "localframes.h"
 
 namespace romanesco {
@@ -51,6 +52,7 @@ private:
     const BoxBounds &m_boxes;
     const Mesh &m_mesh;
     FaceTree m_tree;
+    LeafFaces m_faces;
     double m_excess;
     HullBounds m_hulls;
     std::optional<LocalFrames::Inverses> m_inverses;

@@ -10,52 +10,13 @@
 
 #include <hwy/highway.h>
 
+#include "core/collide/lanes-inl.h"
 #include "core/collide/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace romanesco::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Tag = hn::CappedTag<double, laneCount>;
-using Vector = hn::Vec<Tag>;
 using Corners = std::array<std::array<double, cornerCount>, 3>;
-
-/// Three coordinates.
-struct Point {
-    Vector x;
-    Vector y;
-    Vector z;
-};
-
-HWY_INLINE Point load(const LanesOfPoint &lanes, std::size_t lane)
-{
-    const Tag tag;
-    return {hn::Load(tag, lanes[0].data() + lane), hn::Load(tag, lanes[1].data() + lane),
-            hn::Load(tag, lanes[2].data() + lane)};
-}
-
-HWY_INLINE Point same(const glm::dvec3 &v)
-{
-    const Tag tag;
-    return {hn::Set(tag, v.x), hn::Set(tag, v.y), hn::Set(tag, v.z)};
-}
-
-/// Multiply, then add: a fused one has other bits.
-HWY_INLINE Vector dot(const Point &a, const Point &b)
-{
-    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-
-HWY_INLINE Point sum(const Point &a, const Point &b)
-{
-    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-
-HWY_INLINE Point times(const Point &a, Vector factor)
-{
-    return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
-}
 
 void distancesToTurned(std::span<const TurnedBoxes> blocks, const glm::dvec3 &p, double *distances)
 {
@@ -77,12 +38,6 @@ void distancesToTurned(std::span<const TurnedBoxes> blocks, const glm::dvec3 &p,
     }
 }
 
-/// By the columns of a matrix.
-HWY_INLINE Point mapped(const std::array<Point, 3> &columns, const Point &v)
-{
-    return sum(sum(times(columns[0], v.x), times(columns[1], v.y)), times(columns[2], v.z));
-}
-
 HWY_INLINE Vector distanceToOrigin(const Point &middle, const std::array<Point, 3> &edges)
 {
     const Tag tag;
@@ -90,8 +45,7 @@ HWY_INLINE Vector distanceToOrigin(const Point &middle, const std::array<Point, 
     const Vector one = hn::Set(tag, 1.0);
     std::array<Vector, 3> perSquare{zero, zero, zero};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vector square = dot(edges[i], edges[i]);
-        perSquare[i] = hn::IfThenElseZero(hn::Gt(square, zero), hn::Div(one, square));
+        perSquare[i] = inverseOf(dot(edges[i], edges[i]));
     }
     Point nearest = middle;
     std::array<Vector, 3> along{zero, zero, zero};
@@ -115,14 +69,13 @@ HWY_INLINE Vector distanceToOrigin(const Point &middle, const std::array<Point, 
 void distancesToPlaced(std::span<const Parallelepipeds> blocks, const AffineMap &map, double *distances)
 {
     const Tag tag;
-    const std::array<Point, 3> columns{same(map.linear[0]), same(map.linear[1]), same(map.linear[2])};
-    const Point origin = same(map.translation);
+    const Map placed(map);
     for (const Parallelepipeds &boxes : blocks) {
         for (std::size_t lane = 0; lane < laneCount; lane += hn::Lanes(tag)) {
-            const Point middle = sum(mapped(columns, load(boxes.middle, lane)), origin);
-            const std::array<Point, 3> edges{mapped(columns, load(boxes.edges[0], lane)),
-                                             mapped(columns, load(boxes.edges[1], lane)),
-                                             mapped(columns, load(boxes.edges[2], lane))};
+            const Point middle = placed(load(boxes.middle, lane));
+            const std::array<Point, 3> edges{placed.linear(load(boxes.edges[0], lane)),
+                                             placed.linear(load(boxes.edges[1], lane)),
+                                             placed.linear(load(boxes.edges[2], lane))};
             hn::StoreU(distanceToOrigin(middle, edges), tag, distances + lane);
         }
         distances += laneCount;

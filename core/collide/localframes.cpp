@@ -44,11 +44,13 @@ std::optional<LocalFrames::Inverses> LocalFrames::inverses(const FractalGraph &g
     return inverses;
 }
 
-LocalFrames::LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree)
+LocalFrames::LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree,
+                         const LeafFaces &faces)
     : m_graph(graph)
     , m_inverses(inverses)
     , m_mesh(mesh)
     , m_leaf(mesh, tree)
+    , m_faces(faces)
 {
 }
 
@@ -114,6 +116,10 @@ double LocalFrames::sizeOf(const Frame &, const Box &box) const
 
 void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
 {
+    if (!m_faces.isEmpty()) {
+        m_faces.measure(frame.p, limit, hit);
+        return;
+    }
     const FaceRanking &ranking = m_leaf.nearest(frame.p, limit);
     hit.face = ranking.face();
     hit.lower = ranking.lower();

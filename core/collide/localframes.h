@@ -13,6 +13,7 @@
 #include "core/geometry/box.h"
 #include "descent.h"
 #include "lanes.h"
+#include "leaffaces.h"
 #include "treesearch.h"
 
 namespace romanesco {
@@ -42,8 +43,9 @@ public:
         double error = 0.0;
     };
 
-    /// All must outlive it; the tree is of the mesh.
-    LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree);
+    /// All must outlive it; tree and faces are of the mesh.
+    LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree,
+                const LeafFaces &faces);
 
     /// Boxes of the children of a state, in the state's frame.
     struct Children {
@@ -85,6 +87,7 @@ private:
     const Inverses &m_inverses;
     const Mesh &m_mesh;
     TreeSearch m_leaf;
+    const LeafFaces &m_faces;
 };
 
 }

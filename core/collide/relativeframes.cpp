@@ -50,10 +50,11 @@ void put(Parallelepipeds &boxes, std::size_t lane, const glm::dvec3 &middle, con
 }
 
 RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree,
-                               const AffineMap &worldFromModel)
+                               const LeafFaces &faces, const AffineMap &worldFromModel)
     : m_graph(graph)
     , m_mesh(mesh)
     , m_tree(tree)
+    , m_faces(faces)
     , m_worldFromModel(worldFromModel)
     , m_norm(operatorNorm(worldFromModel.linear))
 {
@@ -137,6 +138,10 @@ double RelativeFrames::sizeOf(const Frame &frame, const Box &box) const
 
 void RelativeFrames::measure(const Frame &frame, double limit, LeafHit &hit)
 {
+    if (!m_faces.isEmpty()) {
+        m_faces.measure(frame.map, limit, hit);
+        return;
+    }
     hit = {};
     const std::span<const FaceTree::Node> nodes = m_tree.nodes();
     m_waiting.clear();

@@ -13,6 +13,7 @@
 #include "descent.h"
 #include "facetree.h"
 #include "lanes.h"
+#include "leaffaces.h"
 
 namespace romanesco {
 
@@ -33,8 +34,8 @@ public:
         static constexpr double unit = 1.0;
     };
 
-    /// All must outlive it; the tree is of the mesh. The map, of any kind, places all of it.
-    RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree,
+    /// All must outlive it; tree and faces are of the mesh. The map, of any kind, places all of it.
+    RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree, const LeafFaces &faces,
                    const AffineMap &worldFromModel = {});
 
     /// Boxes of the children of a state, in the state's frame.
@@ -80,6 +81,7 @@ private:
     const FractalGraph &m_graph;
     const Mesh &m_mesh;
     const FaceTree &m_tree;
+    const LeafFaces &m_faces;
     AffineMap m_worldFromModel;
     double m_norm = 1.0;
     glm::dvec3 m_p{0.0};

@@ -5,8 +5,6 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "core/collide/branchandbound.h"
-#include "core/collide/relativeframes.h"
 #include "tests/core/collide/allocations.h"
 #include "tests/core/collide/bruteforce.h"
 #include "tests/core/fractal/samples.h"
@@ -162,17 +160,14 @@ void TestExactCollider::bothWaysAgree()
         const BoxBounds boxes(fractal.graph, fractal.mesh);
         const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh);
         const auto inFrames = collider->search();
-        const FaceTree tree = FaceTree::build(fractal.mesh).value();
-        const HullBounds hulls(fractal.graph, boxes, fractal.mesh);
-        BranchAndBound<RelativeFrames> relative(fractal.graph, boxes, hulls,
-                                                RelativeFrames(fractal.graph, fractal.mesh, tree), 0.0);
+        const auto relative = collider->searchPlaced({});
         const double size = fractal.graph.bound(0).radius;
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 p = fractal.graph.bound(0).centre + randomPoint(random, 1.2 * size);
             Hit one;
             Hit other;
             inFrames->closest({p}, one);
-            relative.closest({p}, other);
+            relative->closest({p}, other);
             QVERIFY(std::abs(one.distance - other.distance) <= 1e-13 * size);
             QVERIFY(std::max(one.lower, other.lower) <= std::min(one.distance, other.distance) * (1 + 1e-15));
         }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/geometry/box.h"
+#include "core/geometry/closestpoint.h"
+#include "core/geometry/mesh.h"
+#include "descent.h"
+#include "facelanes.h"
+
+namespace romanesco {
+
+/// The faces of a small mesh, all looked at together, which costs less than to go down a tree of them. Immutable.
+class LeafFaces
+{
+public:
+    /// Of larger meshes it has none.
+    static constexpr std::size_t most = 32;
+
+    /// The mesh must outlive it.
+    explicit LeafFaces(const Mesh &mesh);
+
+    [[nodiscard]] bool isEmpty() const { return m_corners.empty(); }
+    [[nodiscard]] std::size_t memoryUse() const;
+
+    /// The face that is nearest to p, if it is within a limit.
+    void measure(const glm::dvec3 &p, double limit, LeafHit &hit) const;
+    /// The same for the origin, of what a map makes of the mesh. Twice the cost.
+    void measure(const AffineMap &map, double limit, LeafHit &hit) const;
+
+private:
+    const Mesh &m_mesh;
+    Box m_box;
+    std::vector<CornerLanes> m_corners;
+    std::vector<FaceLanes> m_faces;
+};
+
+}
