@@ -2,13 +2,15 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "boundedstates.h"
 
+#include <glm/geometric.hpp>
+
 namespace romanesco {
 
 namespace {
 
 constexpr std::size_t mostBytes = 64'000'000;
 /// What searches keep for a child, about.
-constexpr std::size_t bytesOfChild = 200;
+constexpr std::size_t bytesOfChild = 600;
 
 }
 
@@ -17,7 +19,7 @@ BoundedStates::BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, 
     , m_boxes(boxes)
     , m_hulls(hulls)
     , m_table(graph)
-    , m_mesh{boxes.at(graph, graph.levels().levelCount())}
+    , m_mesh{.box = boxes.at(graph, graph.levels().levelCount())}
 {
 }
 
@@ -25,10 +27,11 @@ const BoundedStates::Bounds &BoundedStates::bounds(StateId state)
 {
     while (m_bounds.size() <= state) {
         const Positions &positions = m_table.state(static_cast<StateId>(m_bounds.size())).positions;
-        Bounds bounds{Box::ofNothing(), positions.size() == 1 ? m_hulls.at(m_graph, positions.front()) : nullptr};
+        Bounds bounds{Box::ofNothing(), 0.0, positions.size() == 1 ? m_hulls.at(m_graph, positions.front()) : nullptr};
         for (const Position position : positions) {
             bounds.box = bounds.box.with(m_boxes.at(m_graph, position));
         }
+        bounds.size = bounds.box.isEmpty() ? 0.0 : glm::length(bounds.box.size());
         m_bounds.push_back(bounds);
     }
     return m_bounds[state];

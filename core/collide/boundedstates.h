@@ -24,6 +24,8 @@ public:
     struct Bounds {
         /// Of nothing where the state leads to no face.
         Box box;
+        /// From corner to corner.
+        double size = 0.0;
         /// Null where the box is as good.
         const HullBounds::Hulls *hulls = nullptr;
     };

@@ -68,7 +68,7 @@ private:
     /// What is known of a state for every search.
     struct Known {
         std::span<const DescentStep> children;
-        typename Frames::Children boxes;
+        typename Frames::Children bounds;
         /// At first.
         std::vector<Tightness> tightness;
     };
@@ -124,9 +124,14 @@ private:
         }
         const DescentStep &step = node.known->children[child];
         Tightness &tightness = m_tightness[node.firstDistance + child];
-        if (tightness == Tightness::OfBox
-            || (tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine)) {
-            inFrame = std::max(inFrame, tighterDistance(node, step, tightness));
+        if (tightness == Tightness::OfBox) {
+            raiseToHulls(node, child / laneCount);
+            return;
+        }
+        if (tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine) {
+            const double finer = m_frames.fineDistanceTo(node.frame, step, *m_states.bounds(step.state).hulls);
+            inFrame = std::max(inFrame, finer);
+            tightness = Tightness::Final;
             return;
         }
         inFrame = infinity;
@@ -138,24 +143,22 @@ private:
     }
 
     /// What seems nearest may be farther, and not the nearest.
-    double tighterDistance(const Node &node, const DescentStep &step, Tightness &tightness)
+    void raiseToHulls(const Node &node, std::size_t block)
     {
-        const HullBounds::Hulls &hulls = *m_states.bounds(step.state).hulls;
-        if (tightness == Tightness::OfBox) {
-            tightness = Tightness::OfCoarseHull;
-            return m_frames.roughDistanceTo(node.frame, step, hulls);
+        const std::size_t first = node.firstDistance + block * laneCount;
+        m_frames.raiseToHulls(node.frame, node.known->bounds, block, &m_distances[first]);
+        for (std::size_t i = first; i < first + laneCount; ++i) {
+            m_tightness[i] = m_tightness[i] == Tightness::OfBox ? Tightness::OfCoarseHull : m_tightness[i];
         }
-        tightness = Tightness::Final;
-        return m_frames.fineDistanceTo(node.frame, step, hulls);
     }
 
     void goDown(const Node &node, const DescentStep &step, double distance)
     {
-        const Box &box = m_states.bounds(step.state).box;
+        const BoundedStates::Bounds &bounds = m_states.bounds(step.state);
         const Frame frame = m_frames.child(node.frame, step, node.error);
-        const double size = m_frames.sizeOf(frame, box) * frame.unit;
+        const double size = m_frames.sizeOf(frame, bounds) * frame.unit;
         if (size <= std::max(epsilon / 2.0 * distance, frame.error) || frame.unit < leastUnit) {
-            settle(step, frame, box, distance);
+            settle(step, frame, bounds.box, distance);
         } else {
             m_path.push_back(step);
             visit(step, frame);
@@ -193,9 +196,9 @@ private:
         m_deepest = std::max(m_deepest, m_path.size());
         const Known &known = knownOf(state);
         const std::size_t first = m_distances.size();
-        m_nodes.push_back({&known, frame, m_frames.errorOf(frame, known.boxes), first});
+        m_nodes.push_back({&known, frame, m_frames.errorOf(frame, known.bounds), first});
         m_distances.resize(first + known.tightness.size());
-        m_frames.distancesTo(frame, known.boxes, m_distances.data() + first);
+        m_frames.distancesTo(frame, known.bounds, m_distances.data() + first);
         std::fill(m_distances.begin() + static_cast<std::ptrdiff_t>(first + known.children.size()), m_distances.end(),
                   infinity);
         m_tightness.insert(m_tightness.end(), known.tightness.begin(), known.tightness.end());
@@ -209,7 +212,7 @@ private:
         Known &known = m_known[state];
         if (known.children.empty()) {
             known.children = m_states.children(state);
-            known.boxes = m_frames.boxesOf(known.children, m_states);
+            known.bounds = m_frames.boundsOf(known.children, m_states);
             known.tightness.resize(blocksFor(known.children.size()) * laneCount, Tightness::Final);
             std::ranges::transform(known.children, known.tightness.begin(), [&](const DescentStep &step) {
                 return !step.isToMesh() && m_states.bounds(step.state).hulls ? Tightness::OfBox : Tightness::Final;

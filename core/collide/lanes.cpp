@@ -14,8 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace romanesco::HWY_NAMESPACE {
 
-using Corners = std::array<std::array<double, cornerCount>, 3>;
-
 void distancesToTurned(std::span<const TurnedBoxes> blocks, const glm::dvec3 &p, double *distances)
 {
     const Tag tag;
@@ -107,17 +105,45 @@ std::size_t numberOfLeast(std::span<const double> numbers)
     return i;
 }
 
-double greatestAlong(const Corners &points, const glm::dvec3 &direction)
+/// along: the way from the centre, as the corners see it.
+HWY_INLINE void raise(const HullsOfFew &hulls, std::size_t lane, Vector length, const Point &along, Vector norm,
+                      double *distances)
 {
     const Tag tag;
-    const Point along = same(direction);
-    Vector farthest = hn::Neg(hn::Inf(tag));
-    for (std::size_t i = 0; i < cornerCount; i += hn::Lanes(tag)) {
-        const Point point{hn::LoadU(tag, points[0].data() + i), hn::LoadU(tag, points[1].data() + i),
-                          hn::LoadU(tag, points[2].data() + i)};
-        farthest = hn::Max(farthest, dot(point, along));
+    Vector reach = hn::Neg(hn::Inf(tag));
+    for (const LanesOfPoint &corner : hulls.corners) {
+        reach = hn::Max(reach, dot(load(corner, lane), along));
     }
-    return hn::ReduceMax(tag, farthest);
+    const Vector error = hn::Mul(hn::Load(tag, hulls.error.data() + lane), norm);
+    const Vector distance = hn::Sub(hn::Sub(length, hn::Div(reach, length)), error);
+    const Vector before = hn::LoadU(tag, distances + lane);
+    // from the centre itself nothing is seen
+    const auto isFarther = hn::And(hn::Gt(length, hn::Zero(tag)), hn::Gt(distance, before));
+    hn::StoreU(hn::IfThenElse(isFarther, distance, before), tag, distances + lane);
+}
+
+void raiseToTurned(const HullsOfFew &hulls, const glm::dvec3 &p, double *distances)
+{
+    const Tag tag;
+    const Point point = same(p);
+    for (std::size_t lane = 0; lane < laneCount; lane += hn::Lanes(tag)) {
+        const Point way = difference(point, load(hulls.centre, lane));
+        raise(hulls, lane, hn::Sqrt(dot(way, way)), way, hn::Set(tag, 1.0), distances);
+    }
+}
+
+void raiseToPlaced(const HullsOfFew &hulls, const AffineMap &map, double norm, double *distances)
+{
+    const Tag tag;
+    const Map placed(map);
+    const Point x = same(map.linear[0]);
+    const Point y = same(map.linear[1]);
+    const Point z = same(map.linear[2]);
+    for (std::size_t lane = 0; lane < laneCount; lane += hn::Lanes(tag)) {
+        const Point centre = placed(load(hulls.centre, lane));
+        const Point along{hn::Neg(dot(x, centre)), hn::Neg(dot(y, centre)), hn::Neg(dot(z, centre))};
+        raise(hulls, lane, hn::Sqrt(dot(centre, centre)), along, hn::Set(tag, norm), distances);
+    }
 }
 
 }
@@ -129,7 +155,8 @@ namespace romanesco {
 HWY_EXPORT(distancesToTurned);
 HWY_EXPORT(distancesToPlaced);
 HWY_EXPORT(numberOfLeast);
-HWY_EXPORT(greatestAlong);
+HWY_EXPORT(raiseToTurned);
+HWY_EXPORT(raiseToPlaced);
 
 void distancesTo(std::span<const TurnedBoxes> boxes, const glm::dvec3 &p, double *distances)
 {
@@ -146,9 +173,14 @@ std::size_t leastOf(std::span<const double> numbers)
     return HWY_DYNAMIC_DISPATCH(numberOfLeast)(numbers);
 }
 
-double farthestAlong(const std::array<std::array<double, cornerCount>, 3> &points, const glm::dvec3 &direction)
+void raiseToHulls(const HullsOfFew &hulls, const glm::dvec3 &p, double *distances)
 {
-    return HWY_DYNAMIC_DISPATCH(greatestAlong)(points, direction);
+    HWY_DYNAMIC_DISPATCH(raiseToTurned)(hulls, p, distances);
+}
+
+void raiseToHulls(const HullsOfFew &hulls, const AffineMap &map, double norm, double *distances)
+{
+    HWY_DYNAMIC_DISPATCH(raiseToPlaced)(hulls, map, norm, distances);
 }
 
 }

@@ -57,9 +57,18 @@ void distancesTo(std::span<const Parallelepipeds> boxes, const AffineMap &map, d
 /// The number of the first least. There is one, and none is NaN.
 [[nodiscard]] std::size_t leastOf(std::span<const double> numbers);
 
-/// How far the farthest of some points is along a direction: the greatest product.
-constexpr std::size_t cornerCount = 16;
-[[nodiscard]] double farthestAlong(const std::array<std::array<double, cornerCount>, 3> &points,
-                                   const glm::dvec3 &direction);
+/// Convex hulls of few corners. No point of one is farther from its corners than the error.
+struct alignas(64) HullsOfFew {
+    static constexpr std::size_t cornerCount = 16;
+    LanesOfPoint centre;
+    /// Seen from the centre; those left over repeat another.
+    std::array<LanesOfPoint, cornerCount> corners;
+    Lanes error;
+};
+
+/// Puts in how far from p each hull begins, as seen along the way to its centre, where that is farther.
+void raiseToHulls(const HullsOfFew &hulls, const glm::dvec3 &p, double *distances);
+/// The same from the origin to what a map makes of each, whose norm is no greater.
+void raiseToHulls(const HullsOfFew &hulls, const AffineMap &map, double norm, double *distances);
 
 }

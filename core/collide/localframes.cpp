@@ -11,6 +11,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
+#include "childhulls.h"
 #include "core/geometry/similarity.h"
 #include "nearest.h"
 
@@ -54,9 +55,10 @@ LocalFrames::LocalFrames(const FractalGraph &graph, const Inverses &inverses, co
 {
 }
 
-LocalFrames::Children LocalFrames::boxesOf(std::span<const DescentStep> children, BoundedStates &states) const
+LocalFrames::Children LocalFrames::boundsOf(std::span<const DescentStep> children, BoundedStates &states) const
 {
-    Children result{.boxes = std::vector<TurnedBoxes>(blocksFor(children.size()))};
+    Children result;
+    result.boxes.resize(blocksFor(children.size()));
     for (std::size_t i = 0; i < children.size(); ++i) {
         const DescentStep &step = children[i];
         const Inverse inverse = step.isToMesh() ? Inverse{} : m_inverses[step.set][step.map];
@@ -74,6 +76,7 @@ LocalFrames::Children LocalFrames::boxesOf(std::span<const DescentStep> children
         result.reach =
             std::max(result.reach, sumOfSizes(inverse.turned.translation) + sumOfSizes(middle) + sumOfSizes(half));
     }
+    result.hulls = hullsOf(children, states);
     return result;
 }
 
@@ -93,13 +96,9 @@ void LocalFrames::distancesTo(const Frame &frame, const Children &children, doub
     romanesco::distancesTo(children.boxes, frame.p, distances);
 }
 
-double LocalFrames::roughDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls) const
+void LocalFrames::raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double *distances) const
 {
-    const Inverse &inverse = m_inverses[step.set][step.map];
-    const glm::dvec3 way = inverse.turned(frame.p) - hulls.coarse.centre * inverse.scale;
-    const double reach = farthestAlong(hulls.coarse.corners, way);
-    const double length = glm::length(way);
-    return length > 0.0 ? length - inverse.scale * (reach / length + hulls.coarse.error) : 0.0;
+    romanesco::raiseToHulls(children.hulls[block], frame.p, distances);
 }
 
 double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls) const
@@ -109,9 +108,9 @@ double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, 
     return inverse.scale * (distance.least - hulls.fine.error);
 }
 
-double LocalFrames::sizeOf(const Frame &, const Box &box) const
+double LocalFrames::sizeOf(const Frame &, const BoundedStates::Bounds &bounds) const
 {
-    return glm::length(box.size());
+    return bounds.size;
 }
 
 void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
@@ -152,8 +151,9 @@ void LocalFrames::takeOut(const Frame &frame, std::span<const DescentStep> path,
     for (const DescentStep &step : path | std::views::reverse) {
         const AffineMap &map = m_graph.set(step.set).maps[step.map];
         hit.point = map(hit.point);
-        hit.direction = glm::normalize(map.linear * hit.direction / m_inverses[step.set][step.map].scale);
+        hit.direction = map.linear * hit.direction / m_inverses[step.set][step.map].scale;
     }
+    hit.direction = glm::normalize(hit.direction);
 }
 
 }

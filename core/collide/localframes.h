@@ -47,13 +47,15 @@ public:
     LocalFrames(const FractalGraph &graph, const Inverses &inverses, const Mesh &mesh, const FaceTree &tree,
                 const LeafFaces &faces);
 
-    /// Boxes of the children of a state, in the state's frame.
+    /// What bounds the children of a state, in the state's frame.
     struct Children {
         std::vector<TurnedBoxes> boxes;
+        /// Beside the boxes; nothing where no child has one.
+        std::vector<HullsOfFew> hulls;
         /// Bounds the numbers that they are computed from: for the rounding.
         double reach = 0.0;
     };
-    [[nodiscard]] Children boxesOf(std::span<const DescentStep> children, BoundedStates &states) const;
+    [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
     [[nodiscard]] Frame begin(const glm::dvec3 &p) const { return {p}; }
     /// error: that of the children.
@@ -63,14 +65,14 @@ public:
 
     /// From p to the box of each child; never more than it is, but for rounding.
     void distancesTo(const Frame &frame, const Children &children, double *distances) const;
-    /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
-    [[nodiscard]] double roughDistanceTo(const Frame &frame, const DescentStep &step,
-                                         const HullBounds::Hulls &hulls) const;
+    /// Puts in the distances to the coarse hulls of a block of children, where they are farther.
+    void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double *distances) const;
+    /// From p to a fine hull in the frame of a child.
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step,
                                         const HullBounds::Hulls &hulls) const;
 
     /// How far points of a box are apart at most.
-    [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
+    [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 
     /// Looks at the faces of the mesh in the frame that are within a limit.
     void measure(const Frame &frame, double limit, LeafHit &hit);

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "childhulls.h"
 #include "core/geometry/triangledistance.h"
 #include "nearest.h"
 
@@ -71,9 +72,10 @@ RelativeFrames::Frame RelativeFrames::begin(const glm::dvec3 &p)
     return {.map = map, .norm = m_norm, .error = error};
 }
 
-RelativeFrames::Children RelativeFrames::boxesOf(std::span<const DescentStep> children, BoundedStates &states) const
+RelativeFrames::Children RelativeFrames::boundsOf(std::span<const DescentStep> children, BoundedStates &states) const
 {
-    Children result{.boxes = std::vector<Parallelepipeds>(blocksFor(children.size()))};
+    Children result;
+    result.boxes.resize(blocksFor(children.size()));
     for (std::size_t i = 0; i < children.size(); ++i) {
         const DescentStep &step = children[i];
         const Box &box = (step.isToMesh() ? states.meshBounds() : states.bounds(step.state)).box;
@@ -83,6 +85,7 @@ RelativeFrames::Children RelativeFrames::boxesOf(std::span<const DescentStep> ch
         result.farthest = std::max(result.farthest, sumOfSizes(map.translation));
         result.reach = std::max(result.reach, norm * reachOf(box));
     }
+    result.hulls = hullsOf(children, states);
     return result;
 }
 
@@ -104,16 +107,10 @@ void RelativeFrames::distancesTo(const Frame &frame, const Children &children, d
     romanesco::distancesTo(children.boxes, frame.map, distances);
 }
 
-double RelativeFrames::roughDistanceTo(const Frame &frame, const DescentStep &step,
-                                       const HullBounds::Hulls &hulls) const
+void RelativeFrames::raiseToHulls(const Frame &frame, const Children &children, std::size_t block,
+                                  double *distances) const
 {
-    const AffineMap &inner = m_graph.set(step.set).maps[step.map];
-    const glm::dvec3 way = frame.map(inner(hulls.coarse.centre));
-    const glm::dvec3 inChild = glm::transpose(inner.linear) * (glm::transpose(frame.map.linear) * way);
-    const double reach = farthestAlong(hulls.coarse.corners, -inChild);
-    const double length = glm::length(way);
-    const double error = frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.coarse.error;
-    return length > 0.0 ? length - reach / length - error : 0.0;
+    romanesco::raiseToHulls(children.hulls[block], frame.map, frame.norm, distances);
 }
 
 double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls)
@@ -127,10 +124,10 @@ double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &ste
         - frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.fine.error;
 }
 
-double RelativeFrames::sizeOf(const Frame &frame, const Box &box) const
+double RelativeFrames::sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const
 {
     double size = 0.0;
-    for (const glm::dvec3 &edge : halfEdges(frame.map.linear, box)) {
+    for (const glm::dvec3 &edge : halfEdges(frame.map.linear, bounds.box)) {
         size += 2.0 * glm::length(edge);
     }
     return size;

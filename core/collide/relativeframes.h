@@ -38,14 +38,16 @@ public:
     RelativeFrames(const FractalGraph &graph, const Mesh &mesh, const FaceTree &tree, const LeafFaces &faces,
                    const AffineMap &worldFromModel = {});
 
-    /// Boxes of the children of a state, in the state's frame.
+    /// What bounds the children of a state, in the state's frame.
     struct Children {
         std::vector<Parallelepipeds> boxes;
+        /// Beside the boxes; nothing where no child has one.
+        std::vector<HullsOfFew> hulls;
         /// How far maps move, and how large the boxes are: for the rounding.
         double farthest = 0.0;
         double reach = 0.0;
     };
-    [[nodiscard]] Children boxesOf(std::span<const DescentStep> children, BoundedStates &states) const;
+    [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
     [[nodiscard]] Frame begin(const glm::dvec3 &p);
     /// error: that of the children.
@@ -55,13 +57,13 @@ public:
 
     /// From p to the box of each child; never more than it is, but for rounding.
     void distancesTo(const Frame &frame, const Children &children, double *distances) const;
-    /// From p to a coarse hull in the frame of a child, as seen along the way to its middle; and to a fine one.
-    [[nodiscard]] double roughDistanceTo(const Frame &frame, const DescentStep &step,
-                                         const HullBounds::Hulls &hulls) const;
+    /// Puts in the distances to the coarse hulls of a block of children, where they are farther.
+    void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double *distances) const;
+    /// From p to a fine hull in the frame of a child.
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls);
 
     /// How far points of a box are apart at most.
-    [[nodiscard]] double sizeOf(const Frame &frame, const Box &box) const;
+    [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 
     /// Looks at the faces of the mesh in the frame that are within a limit.
     void measure(const Frame &frame, double limit, LeafHit &hit);

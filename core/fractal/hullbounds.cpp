@@ -70,16 +70,13 @@ private:
     static Hulls withCoarse(Hull &&fine)
     {
         Hulls hulls{.fine = std::move(fine), .coarse = {}};
-        const Hull few = thinned(hulls.fine.corners, Coarse::cornerCount, 0.0);
-        hulls.coarse.error = few.error + hulls.fine.error;
-        for (const glm::dvec3 &corner : few.corners) {
-            hulls.coarse.centre += corner / static_cast<double>(few.corners.size());
+        hulls.coarse = thinned(hulls.fine.corners, mostCoarseCorners, 0.0);
+        hulls.coarse.error += hulls.fine.error;
+        for (const glm::dvec3 &corner : hulls.coarse.corners) {
+            hulls.centre += corner / static_cast<double>(hulls.coarse.corners.size());
         }
-        for (std::size_t i = 0; i < Coarse::cornerCount; ++i) {
-            const glm::dvec3 corner = few.corners[i < few.corners.size() ? i : 0] - hulls.coarse.centre;
-            for (int axis = 0; axis < 3; ++axis) {
-                hulls.coarse.corners[static_cast<std::size_t>(axis)][i] = corner[axis];
-            }
+        for (glm::dvec3 &corner : hulls.coarse.corners) {
+            corner -= hulls.centre;
         }
         return hulls;
     }
@@ -241,7 +238,7 @@ std::size_t HullBounds::memoryUse() const
 {
     std::size_t bytes = m_hulls.capacity() * sizeof(Hulls);
     for (const Hulls &hulls : m_hulls) {
-        bytes += hulls.fine.corners.capacity() * sizeof(glm::dvec3);
+        bytes += (hulls.fine.corners.capacity() + hulls.coarse.corners.capacity()) * sizeof(glm::dvec3);
     }
     return bytes;
 }

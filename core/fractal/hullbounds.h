@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -22,18 +21,14 @@ namespace romanesco {
 class HullBounds
 {
 public:
-    /// Few corners, seen from a point between them: all x, all y, all z. Those left over repeat the first.
-    struct Coarse {
-        static constexpr std::size_t cornerCount = 16;
-        std::array<std::array<double, cornerCount>, 3> corners{};
-        glm::dvec3 centre{0.0};
-        double error = 0.0;
-    };
     struct Hulls {
         /// At most 96 corners.
         Hull fine;
-        Coarse coarse;
+        /// At most 16 of them, seen from a point between them.
+        Hull coarse;
+        glm::dvec3 centre{0.0};
     };
+    static constexpr std::size_t mostCoarseCorners = 16;
 
     HullBounds() = default;
 

@@ -43,7 +43,7 @@ struct Sizes {
     std::array<TurnedBoxes, 2> turned;
     std::array<Parallelepipeds, 2> placed;
     std::vector<double> numbers;
-    std::array<std::array<double, cornerCount>, 3> corners;
+    HullsOfFew hulls;
     AffineMap map;
     glm::dvec3 p{0.0};
 };
@@ -71,8 +71,12 @@ Sizes sizes(std::mt19937_64 &random, bool isWild)
     }
     result.map.translation = point(random, isWild);
     result.p = point(random, isWild);
-    for (auto &axis : result.corners) {
-        std::ranges::generate(axis, [&] { return point(random, isWild).x; });
+    for (std::size_t lane = 0; lane < laneCount; ++lane) {
+        fill(result.hulls.centre, lane);
+        for (LanesOfPoint &corner : result.hulls.corners) {
+            fill(corner, lane);
+        }
+        result.hulls.error[lane] = std::abs(point(random, isWild).x);
     }
     result.numbers.resize(static_cast<std::size_t>(uniform(random, 1, 60)));
     std::ranges::generate(result.numbers, [&] { return std::round(3.0 * point(random, isWild).x); });
@@ -85,7 +89,8 @@ std::vector<double> allOf(const Sizes &sizes)
     distancesTo(sizes.turned, sizes.p, results.data());
     distancesTo(sizes.placed, sizes.map, results.data() + count);
     results.push_back(static_cast<double>(leastOf(sizes.numbers)));
-    results.push_back(farthestAlong(sizes.corners, sizes.p));
+    raiseToHulls(sizes.hulls, sizes.p, results.data());
+    raiseToHulls(sizes.hulls, sizes.map, 2.0, results.data() + count);
     return results;
 }
 
@@ -125,7 +130,7 @@ private Q_SLOTS:
     void noPointOfAParallelepipedIsNearer();
     void aBoxThatIsNotTurnedIsFoundExactly();
     void theFirstLeastIsFound();
-    void theFarthestCornerIsFound();
+    void hullsBeginWhereTheirNearestCornerIs();
 };
 
 void TestLanes::everyInstructionSetGivesTheSameBits()
@@ -260,18 +265,40 @@ void TestLanes::theFirstLeastIsFound()
     QCOMPARE(leastOf(std::vector(17, infinity)), std::size_t{0});
 }
 
-void TestLanes::theFarthestCornerIsFound()
+/// As seen along the way to the centre; also as a map places them.
+void TestLanes::hullsBeginWhereTheirNearestCornerIs()
 {
     std::mt19937_64 random(6);
+    int raised = 0;
     for (int i = 0; i < 1'000; ++i) {
-        const Sizes numbers = sizes(random, false);
-        long double farthest = -infinity;
-        for (std::size_t k = 0; k < cornerCount; ++k) {
-            farthest = std::max(
-                farthest, product({numbers.corners[0][k], numbers.corners[1][k], numbers.corners[2][k]}, numbers.p));
+        Sizes numbers = sizes(random, false);
+        numbers.p *= 5.0;
+        numbers.map.translation *= 5.0;
+        std::array<double, count> found{};
+        found.fill(0.5);
+        raiseToHulls(numbers.hulls, numbers.p, found.data());
+        raiseToHulls(numbers.hulls, numbers.map, 3.0, found.data() + laneCount);
+        for (std::size_t lane = 0; lane < laneCount; ++lane) {
+            for (const bool isPlaced : {false, true}) {
+                const auto at = [&](const LanesOfPoint &lanes) {
+                    return glm::dvec3(lanes[0][lane], lanes[1][lane], lanes[2][lane]);
+                };
+                const glm::dvec3 centre = at(numbers.hulls.centre);
+                const glm::dvec3 way = isPlaced ? numbers.map(centre) : centre - numbers.p;
+                double least = infinity;
+                for (const LanesOfPoint &corner : numbers.hulls.corners) {
+                    const glm::dvec3 seen =
+                        isPlaced ? numbers.map(centre + at(corner)) : centre + at(corner) - numbers.p;
+                    least = std::min(least, glm::dot(seen, way) / glm::length(way));
+                }
+                const double expected = least - (isPlaced ? 3.0 : 1.0) * numbers.hulls.error[lane];
+                const double result = found[lane + (isPlaced ? laneCount : 0)];
+                QVERIFY(std::abs(result - std::max(expected, 0.5)) <= 1e-13);
+                raised += result > 0.5 ? 1 : 0;
+            }
         }
-        QVERIFY(std::abs(farthestAlong(numbers.corners, numbers.p) - farthest) <= 1e-15L);
     }
+    QVERIFY2(raised > 4'000 && raised < 15'000, qPrintable(QString::number(raised)));
 }
 
 ROMANESCO_TEST(TestLanes)

@@ -44,21 +44,12 @@ std::vector<glm::dvec3> directions(std::mt19937_64 &random)
     return result;
 }
 
-std::vector<glm::dvec3> cornersOf(const HullBounds::Coarse &coarse)
-{
-    std::vector<glm::dvec3> corners;
-    for (std::size_t i = 0; i < HullBounds::Coarse::cornerCount; ++i) {
-        corners.emplace_back(coarse.corners[0][i], coarse.corners[1][i], coarse.corners[2][i]);
-    }
-    return corners;
-}
-
 bool holds(const HullBounds::Hulls &hulls, const Point &point, const std::vector<glm::dvec3> &ways)
 {
     const long double slack = 1e-15L * (1 + std::abs(point[0]) + std::abs(point[1]) + std::abs(point[2]));
     return std::ranges::all_of(ways, [&](const glm::dvec3 &way) {
         return beyond(hulls.fine.corners, glm::dvec3(0), point, way) <= hulls.fine.error + slack
-            && beyond(cornersOf(hulls.coarse), hulls.coarse.centre, point, way) <= hulls.coarse.error + slack;
+            && beyond(hulls.coarse.corners, hulls.centre, point, way) <= hulls.coarse.error + slack;
     });
 }
 
@@ -184,6 +175,7 @@ void TestHullBounds::examplesHaveTightHulls()
         const HullBounds::Hulls *whole = hulls.at(fractal.graph, 0);
         QVERIFY(whole);
         QVERIFY(whole->fine.corners.size() <= static_cast<std::size_t>(corners));
+        QVERIFY(whole->coarse.corners.size() <= 16);
         QVERIFY2(whole->fine.error < 0.01 * size, qPrintable(QString::number(whole->fine.error / size)));
         QVERIFY2(whole->coarse.error < 0.06 * size, qPrintable(QString::number(whole->coarse.error / size)));
     }
@@ -255,7 +247,7 @@ void TestHullBounds::errorsOfWhatFollowsCount()
     long double coarse = 0;
     for (std::size_t i = 0; i < all.size(); ++i) {
         fine = std::max(fine, beyond(hull.fine.corners, glm::dvec3(0), all[i], ways[i]));
-        coarse = std::max(coarse, beyond(cornersOf(hull.coarse), hull.coarse.centre, all[i], ways[i]));
+        coarse = std::max(coarse, beyond(hull.coarse.corners, hull.centre, all[i], ways[i]));
     }
     QVERIFY2(fine <= hull.fine.error && fine > 0.5L * hull.fine.error,
              qPrintable(QString::number(double(fine / hull.fine.error))));
