@@ -15,6 +15,7 @@
 #include "boundedstates.h"
 #include "collider.h"
 #include "descent.h"
+#include "equalproducts.h"
 #include "lanes.h"
 #include "nearest.h"
 
@@ -29,10 +30,11 @@ template<typename Frames>
 class BranchAndBound final : public Search
 {
 public:
-    /// The graph, the boxes and the hulls must outlive it. excess: how much farther than the least a distance may be, in parts of it.
-    BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls, Frames frames,
-                   double excess)
+    /// All must outlive it. excess: how much farther than the least a distance may be, in parts of it.
+    BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls,
+                   const EqualProducts &products, Frames frames, double excess)
         : m_states(graph, boxes, hulls)
+        , m_products(products)
         , m_frames(std::move(frames))
         , m_excess(excess)
     {
@@ -196,12 +198,30 @@ private:
         m_deepest = std::max(m_deepest, m_path.size());
         const Known &known = knownOf(state);
         const std::size_t first = m_distances.size();
-        m_nodes.push_back({&known, frame, m_frames.errorOf(frame, known.bounds), first});
+        const double error = m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.scaleOf(frame);
+        m_nodes.push_back({&known, frame, error, first});
         m_distances.resize(first + known.tightness.size());
         m_frames.distancesTo(frame, known.bounds, m_distances.data() + first);
         std::fill(m_distances.begin() + static_cast<std::ptrdiff_t>(first + known.children.size()), m_distances.end(),
                   infinity);
         m_tightness.insert(m_tightness.end(), known.tightness.begin(), known.tightness.end());
+        leaveOut(m_nodes.back());
+    }
+
+    /// What stands where something else does.
+    void leaveOut(const Node &node)
+    {
+        if (m_path.empty()) {
+            return;
+        }
+        for (const auto &[set, map] : m_products.leftOutAfter(m_path.back().set, m_path.back().map)) {
+            const auto child = std::ranges::find_if(
+                node.known->children, [&](const DescentStep &step) { return step.set == set && step.map == map; });
+            if (child != node.known->children.end()) {
+                m_distances[node.firstDistance + static_cast<std::size_t>(child - node.known->children.begin())] =
+                    infinity;
+            }
+        }
     }
 
     const Known &knownOf(StateId state)
@@ -299,6 +319,7 @@ private:
     }
 
     BoundedStates m_states;
+    const EqualProducts &m_products;
     Frames m_frames;
     const double m_excess;
     /// By state.

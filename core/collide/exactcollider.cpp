@@ -19,6 +19,7 @@ ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, 
     , m_faces(mesh)
     , m_excess(excess)
     , m_hulls(graph, boxes, mesh)
+    , m_products(graph, boxes)
     , m_inverses(LocalFrames::inverses(graph))
 {
     assert(excess >= 0.0 && "no distance is less than the least");
@@ -36,8 +37,9 @@ std::expected<ExactCollider, std::string> ExactCollider::create(const FractalGra
 std::unique_ptr<Search> ExactCollider::search() const
 {
     if (m_inverses) {
-        return std::make_unique<BranchAndBound<LocalFrames>>(
-            m_graph, m_boxes, m_hulls, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces), m_excess);
+        return std::make_unique<BranchAndBound<LocalFrames>>(m_graph, m_boxes, m_hulls, m_products,
+                                                             LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces),
+                                                             m_excess);
     }
     return searchPlaced({});
 }
@@ -45,12 +47,14 @@ std::unique_ptr<Search> ExactCollider::search() const
 std::unique_ptr<Search> ExactCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
     return std::make_unique<BranchAndBound<RelativeFrames>>(
-        m_graph, m_boxes, m_hulls, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel), m_excess);
+        m_graph, m_boxes, m_hulls, m_products, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel),
+        m_excess);
 }
 
 std::size_t ExactCollider::memoryUse() const
 {
-    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse() + m_faces.memoryUse() + m_hulls.memoryUse();
+    std::size_t bytes = sizeof(*this) - sizeof(m_tree) + m_tree.memoryUse() + m_faces.memoryUse() + m_hulls.memoryUse()
+        + m_products.memoryUse();
     if (m_inverses) {
         bytes += m_inverses->capacity() * sizeof(m_inverses->front());
         for (const auto &ofSet : *m_inverses) {

@@ -12,6 +12,7 @@
 #include "core/fractal/fractalgraph.h"
 #include "core/fractal/hullbounds.h"
 #include "core/geometry/mesh.h"
+#include "equalproducts.h"
 #include "facetree.h"
 #include "leaffaces.h"
 #include "localframes.h"
@@ -55,6 +56,7 @@ private:
     LeafFaces m_faces;
     double m_excess;
     HullBounds m_hulls;
+    EqualProducts m_products;
     std::optional<LocalFrames::Inverses> m_inverses;
 };
 

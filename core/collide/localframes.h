@@ -71,6 +71,8 @@ public:
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step,
                                         const HullBounds::Hulls &hulls) const;
 
+    /// How long what stands in a frame is at most in the model, for each unit there.
+    [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.unit; }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 

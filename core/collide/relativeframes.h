@@ -62,6 +62,8 @@ public:
     /// From p to a fine hull in the frame of a child.
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls);
 
+    /// How long what stands in a frame is at most in the model, for each unit there.
+    [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.norm; }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 

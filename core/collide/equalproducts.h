@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/fractal/boxbounds.h"
+#include "core/fractal/fractalgraph.h"
+
+namespace romanesco {
+
+/// Pairs of picks that place a copy where an earlier pair of the same two sets does, but for rounding: as where maps
+/// commute. Such copies multiply with each level, and under no bound does one drop the other. A search that leaves out
+/// the second pick after the first one still meets every place: a word's picks can be exchanged until none is left out,
+/// since each exchange makes it come earlier.
+///
+/// There are none where sets share maps, where maps shrink by less than 0.85, and of two sets of more than 4,096 pairs.
+class EqualProducts
+{
+public:
+    struct Pick {
+        SetId set = 0;
+        std::uint32_t map = 0;
+    };
+
+    /// Cost: some microseconds a pair.
+    EqualProducts(const FractalGraph &graph, const BoxBounds &boxes);
+
+    /// What need not follow a pick.
+    [[nodiscard]] std::span<const Pick> leftOutAfter(SetId set, std::uint32_t map) const
+    {
+        return m_isEmpty ? std::span<const Pick>{} : m_leftOut[set][map];
+    }
+
+    /// How far from a copy that is left out the one is at most that is met instead, in the frame of the first pick: a
+    /// word is exchanged several times on its way, less and less of it each time.
+    [[nodiscard]] double error() const { return 64.0 * m_farthest; }
+
+    [[nodiscard]] std::size_t memoryUse() const;
+
+private:
+    struct Product;
+    [[nodiscard]] static std::vector<Product> productsOf(const FractalGraph &graph, SetId first, SetId second);
+    void compare(std::vector<Product> &products, SetId first, SetId second, double reach);
+
+    /// By set and map.
+    std::vector<std::vector<std::vector<Pick>>> m_leftOut;
+    bool m_isEmpty = true;
+    double m_farthest = 0.0;
+};
+
+}
