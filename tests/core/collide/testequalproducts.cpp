@@ -203,9 +203,9 @@ void TestEqualProducts::nothingIsLeftOutWhereMapsAreShared()
     Mesh mesh;
     mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     mesh.faces.push_back({0, 1, 2});
-    naive::Fractal fractal = repeated(hexagon(), 2, true);
+    naive::Fractal fractal = repeated(hexagon(), 2);
     fractal.sets.push_back({{0, 1}, false});
-    fractal.items.push_back({1, 0, {}});
+    fractal.items.push_back({0, 1, {}});
     const Built it = built(fractal, mesh);
     QVERIFY(it.graph.setsShareMaps());
     const EqualProducts products(it.graph, it.boxes);
