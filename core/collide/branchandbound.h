@@ -263,7 +263,7 @@ private:
         m_frames.measure(frame, m_best / frame.unit, found);
         m_cost.faceTests += found.faceTests;
         drop(found.lower * frame.unit, frame.error);
-        const double distance = found.nearest.distance * frame.unit;
+        const double distance = found.distance * frame.unit;
         if (found.face != Mesh::none && (distance < m_best || (m_found == Found::Nothing && distance <= m_best))) {
             m_best = distance;
             m_found = Found::Face;

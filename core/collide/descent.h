@@ -30,8 +30,9 @@ private:
 struct LeafHit {
     /// None where no face is within the limit.
     std::uint32_t face = Mesh::none;
-    ClosestPoint nearest;
     Triangle triangle{};
+    /// Off by what rounding does to the coordinates, as seen from p; but within the limit if the true one is.
+    double distance = std::numeric_limits<double>::infinity();
     /// No face of the copy is nearer.
     double lower = std::numeric_limits<double>::infinity();
     std::uint64_t faceTests = 0;

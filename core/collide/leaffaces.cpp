@@ -44,9 +44,10 @@ void measureFaces(std::span<const FaceLanes> faces, std::size_t count, const glm
     if (nearest <= limit) {
         hit.face = static_cast<std::uint32_t>(best);
         hit.triangle = triangleOf(best);
-        hit.nearest = closestPoint(hit.triangle, p);
-        distances[best] = std::numeric_limits<double>::infinity();
-        hit.lower = std::min(hit.nearest.lower, std::max(distances[leastOf(distances)] - error, 0.0));
+        hit.distance = distances[best];
+        if (hit.distance + error > limit) {
+            hit.distance = closestPoint(hit.triangle, p).distance;
+        }
     }
 }
 

@@ -125,14 +125,15 @@ void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
     hit.faceTests = ranking.facesShown();
     if (hit.face != Mesh::none) {
         hit.triangle = triangleOf(m_mesh, hit.face);
-        hit.nearest = closestPoint(hit.triangle, frame.p);
-        hit.lower = std::min(hit.lower, hit.nearest.lower);
+        const ClosestPoint nearest = closestPoint(hit.triangle, frame.p);
+        hit.distance = nearest.distance;
+        hit.lower = std::min(hit.lower, nearest.lower);
     }
 }
 
 void LocalFrames::finish(const Frame &frame, const LeafHit &leaf, std::span<const DescentStep> path, Hit &hit) const
 {
-    place(hit, leaf.nearest, leaf.triangle, frame.p);
+    place(hit, closestPoint(leaf.triangle, frame.p), leaf.triangle, frame.p);
     takeOut(frame, path, hit);
 }
 

@@ -173,8 +173,9 @@ void RelativeFrames::measure(const Frame &frame, double limit, LeafHit &hit)
         m_waiting.push_back(nearer);
     }
     if (hit.face != Mesh::none) {
-        hit.nearest = closestPoint(hit.triangle, glm::dvec3(0.0));
-        hit.lower = std::min(hit.lower, hit.nearest.lower);
+        const ClosestPoint nearest = closestPoint(hit.triangle, glm::dvec3(0.0));
+        hit.distance = nearest.distance;
+        hit.lower = std::min(hit.lower, nearest.lower);
     }
 }
 
@@ -199,7 +200,7 @@ void RelativeFrames::measureFaces(const Frame &frame, const FaceTree::Node &node
 
 void RelativeFrames::finish(const Frame &, const LeafHit &leaf, std::span<const DescentStep>, Hit &hit) const
 {
-    place(hit, leaf.nearest, leaf.triangle, glm::dvec3(0.0));
+    place(hit, closestPoint(leaf.triangle, glm::dvec3(0.0)), leaf.triangle, glm::dvec3(0.0));
     hit.point += m_p;
 }
 

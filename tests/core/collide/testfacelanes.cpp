@@ -196,7 +196,7 @@ void TestFaceLanes::theNearestFaceOfAMeshIsFound()
         faces.measure(seenFromP, std::numeric_limits<double>::infinity(), placed);
         for (const LeafHit &hit : {itself, placed}) {
             QCOMPARE(hit.faceTests, count);
-            QVERIFY(abs(Real(hit.nearest.distance) - truth) <= Real(2 * errorOfFaceDistances * reach));
+            QVERIFY(abs(Real(hit.distance) - truth) <= Real(errorOfFaceDistances * reach));
             QVERIFY(Real(hit.lower) <= truth + Real(1e-15 * reach)); // corners that are seen from p are rounded
             QVERIFY(Real(hit.lower) >= truth - Real(2 * errorOfFaceDistances * reach));
         }
