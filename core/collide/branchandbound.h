@@ -45,7 +45,7 @@ public:
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
         if (!m_states.bounds(m_states.root()).box.isEmpty()) {
-            visit({.state = m_states.root()}, m_frames.begin(query.p));
+            visit({.state = m_states.root()}, m_frames.begin(query));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {
                 goOn();
             }
@@ -99,6 +99,7 @@ private:
         m_best = query.radius;
         m_lower = infinity;
         m_deepest = 0;
+        m_isMoving = query.motion.has_value();
     }
 
     /// Whether something at a distance, which may be off by so much, in the model's unit, can be nearer than what was found.
@@ -158,6 +159,9 @@ private:
     {
         const BoundedStates::Bounds &bounds = m_states.bounds(step.state);
         const Frame frame = m_frames.child(node.frame, step, node.error);
+        if (m_isMoving && m_frames.isBehind(frame, bounds.box)) {
+            return;
+        }
         const double size = m_frames.sizeOf(frame, bounds) * frame.unit;
         if (size <= std::max(epsilon / 2.0 * distance, frame.error) || frame.unit < leastUnit) {
             settle(step, frame, bounds.box, distance);
@@ -331,6 +335,7 @@ private:
     std::vector<double> m_distances;
     std::vector<Tightness> m_tightness;
     std::size_t m_deepest = 0;
+    bool m_isMoving = false;
     bool m_isCutShort = false;
 
     enum class Found { Nothing, Face, Branch };

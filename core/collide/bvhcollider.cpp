@@ -22,7 +22,7 @@ public:
 
     void closest(const Query &query, Hit &hit) override
     {
-        const FaceRanking &ranking = m_tree.nearest(query.p, query.radius);
+        const FaceRanking &ranking = m_tree.nearest(query.p, query.radius, query.motion);
         clear(hit);
         hit.lower = ranking.lower();
         hit.cost = {ranking.facesShown(), m_tree.nodeVisits()};
@@ -34,7 +34,7 @@ public:
         hit.lower = std::min(hit.lower, nearest.lower);
         if (nearest.distance <= query.radius) {
             hit.face = ranking.face();
-            place(hit, nearest, triangle, query.p);
+            place(hit, nearest, triangle, query.p, query.motion);
         }
     }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include <glm/vec3.hpp>
@@ -36,8 +37,8 @@ struct Hit {
     /// Infinite where nothing was found within the radius; then only promise, lower and cost mean anything.
     double distance = std::numeric_limits<double>::infinity();
     glm::dvec3 point{0.0};
-    /// Of length 1: from the point to p, which is the contact's normal; the face's own where p lies on it, and up on a
-    /// face without one.
+    /// Of length 1: from the point to p, which is the contact's normal; the face's own where p lies on it (against the
+    /// query's motion), and up on a face without one (or against the motion).
     glm::dvec3 direction{0.0, 1.0, 0.0};
     /// Where the point is: a face of the base mesh, in the copy with this address. Mesh::none where it is of no face, or
     /// where the address ends before the copy does, since all that follows is one point to p.
@@ -65,6 +66,10 @@ struct Query {
     std::uint64_t nodeBudget = std::numeric_limits<std::uint64_t>::max();
     /// The search also ends early when this is asked for, and promises less then.
     std::stop_token stop = {};
+    /// Where p is moving: only what it comes nearer to counts then, the faces whose own nearest point q to p is ahead,
+    /// (p − q)·motion < 0 but for rounding; where p is on a face, those that motion is not along. Nothing is said of
+    /// others. At most 1e150, not 0.
+    std::optional<glm::dvec3> motion = {};
 };
 
 /// Finds points of a surface. It holds what a search needs between queries, so that none allocates once it has grown:
@@ -74,7 +79,7 @@ class Search
 public:
     virtual ~Search() = default;
 
-    /// The nearest point of the surface to p. Of several that are equally near, but for rounding, it is
+    /// The nearest point of the surface to p, or of what it comes nearer to. Of several that are equally near, but for rounding, it is
     /// always the same one.
     virtual void closest(const Query &query, Hit &hit) = 0;
 };

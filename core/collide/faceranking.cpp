@@ -43,11 +43,12 @@ Box boxOf(const Triangle &triangle)
 
 }
 
-void FaceRanking::begin(const glm::dvec3 &p, double radius, const Box &around)
+void FaceRanking::begin(const glm::dvec3 &p, double radius, const Box &around, const std::optional<glm::dvec3> &motion)
 {
     assert(radius >= 0.0 && "distances are not negative");
     assert(std::isfinite(p.x + p.y + p.z) && "no face is nearest to a point that is nowhere");
     m_p = p;
+    m_motion = motion;
     m_distance = radius;
     m_face = none;
     m_facesShown = 0;
@@ -82,6 +83,9 @@ void FaceRanking::show(std::uint32_t face)
             return;
         }
         found = distanceTo(triangle, m_p);
+    }
+    if (m_motion && !isAhead(closestPoint(triangle, m_p).point, triangle, m_p, m_motion)) {
+        return;
     }
     m_lower = std::min(m_lower, found->distance - found->error);
     if (squared(found->distance * m_perUnit) > m_best) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "core/geometry/box.h"
 #include "core/geometry/closestpoint.h"
@@ -33,9 +34,9 @@ public:
     {
     }
 
-    /// Faces at most so far from p count, and such as are farther by less than distances are off. `around` is a box
-    /// round all that will be shown.
-    void begin(const glm::dvec3 &p, double radius, const Box &around);
+    /// Faces at most so far from p count, and such as are farther by less than distances are off; where p moves, of those
+    /// ahead. `around` is a box round all that will be shown.
+    void begin(const glm::dvec3 &p, double radius, const Box &around, const std::optional<glm::dvec3> &motion);
 
     /// The squared distance from p to a box, in the ranking's units; infinite where it is no number.
     [[nodiscard]] double squareTo(const Box &box) const;
@@ -65,6 +66,7 @@ private:
 
     const Mesh &m_mesh;
     glm::dvec3 m_p{0.0};
+    std::optional<glm::dvec3> m_motion;
     /// A power of two.
     double m_perUnit = 1.0;
     /// The rank of the best face, squared, and its distance; at first those of the radius.

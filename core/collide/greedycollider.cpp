@@ -64,9 +64,9 @@ public:
         hit.address.clear();
         hit.cost = {};
         AffineMap worldFromStep = m_worldFromModel;
-        NearestFace nearest(m_collider.m_mesh, query.p);
+        NearestFace nearest(m_collider.m_mesh, query);
         if (levels.levelCount() == 0) {
-            nearest.consider(worldFromStep, m_vertices);
+            nearest.consider(worldFromStep, NearestFace::Counted::Ahead, m_vertices);
         }
         for (Position position = 0; position < levels.levelCount();) {
             const LevelSequence::Location at = levels.locate(position);
@@ -79,9 +79,11 @@ public:
             if (query.stop.stop_requested()) {
                 break; // what an earlier step found need not be there in the end
             }
+            // the way down is to what is nearest in any case
+            const auto counted = end == levels.levelCount() ? NearestFace::Counted::Ahead : NearestFace::Counted::All;
             std::size_t chosen = 0;
             for (std::size_t i = 0; i < maps.size(); ++i) {
-                if (nearest.consider(worldFromStep * maps[i], m_vertices)) {
+                if (nearest.consider(worldFromStep * maps[i], counted, m_vertices)) {
                     chosen = i;
                 }
             }

@@ -16,6 +16,7 @@ namespace romanesco {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t mostBlocks = blocksFor(LeafFaces::most);
 
 double largest(const glm::dvec3 &v)
@@ -23,9 +24,25 @@ double largest(const glm::dvec3 &v)
     return std::max({v.x, v.y, v.z});
 }
 
+/// Distances of faces that are not ahead become infinite, as far as they are looked at.
+std::size_t nearestAhead(std::span<double> distances, double limit, const glm::dvec3 &p,
+                         const std::optional<glm::dvec3> &motion, const auto &triangleOf)
+{
+    std::size_t best = leastOf(distances);
+    while (motion && distances[best] <= limit && distances[best] < infinity) {
+        const Triangle triangle = triangleOf(best);
+        if (isAhead(closestPoint(triangle, p).point, triangle, p, motion)) {
+            break;
+        }
+        distances[best] = infinity;
+        best = leastOf(distances);
+    }
+    return best;
+}
+
 /// triangleOf(face) as it is placed. reach: no coordinate of a corner, seen from p, is larger.
 void measureFaces(std::span<const FaceLanes> faces, std::size_t count, const glm::dvec3 &p, double reach, double limit,
-                  const auto &triangleOf, LeafHit &hit)
+                  const std::optional<glm::dvec3> &motion, const auto &triangleOf, LeafHit &hit)
 {
     std::array<double, LeafFaces::most> lanes;
     const std::span distances = std::span(lanes).first(count);
@@ -35,13 +52,13 @@ void measureFaces(std::span<const FaceLanes> faces, std::size_t count, const glm
             distances[i] = distanceTo(triangleOf(i), p).distance;
         }
     }
-    const std::size_t best = leastOf(distances);
     const double error = errorOfFaceDistances * reach;
+    const std::size_t best = nearestAhead(distances, limit + error, p, motion, triangleOf);
     const double nearest = std::max(distances[best] - error, 0.0);
     hit.face = Mesh::none;
     hit.lower = nearest;
     hit.faceTests = count;
-    if (nearest <= limit) {
+    if (nearest <= limit && distances[best] < infinity) {
         hit.face = static_cast<std::uint32_t>(best);
         hit.triangle = triangleOf(best);
         hit.distance = distances[best];
@@ -70,15 +87,15 @@ LeafFaces::LeafFaces(const Mesh &mesh)
     placeFaces(m_corners, {}, m_faces.data());
 }
 
-void LeafFaces::measure(const glm::dvec3 &p, double limit, LeafHit &hit) const
+void LeafFaces::measure(const glm::dvec3 &p, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const
 {
     const double reach = largest(glm::max(glm::abs(p - m_box.least), glm::abs(m_box.greatest - p)));
     measureFaces(
-        m_faces, m_mesh.faces.size(), p, reach, limit,
+        m_faces, m_mesh.faces.size(), p, reach, limit, motion,
         [&](std::size_t face) { return triangleOf(m_mesh, static_cast<std::uint32_t>(face)); }, hit);
 }
 
-void LeafFaces::measure(const AffineMap &map, double limit, LeafHit &hit) const
+void LeafFaces::measure(const AffineMap &map, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const
 {
     std::array<FaceLanes, mostBlocks> placed;
     placeFaces(m_corners, map, placed.data());
@@ -93,7 +110,7 @@ void LeafFaces::measure(const AffineMap &map, double limit, LeafHit &hit) const
         return triangle;
     };
     measureFaces(std::span(placed).first(m_corners.size()), m_mesh.faces.size(), glm::dvec3(0.0), largest(reach), limit,
-                 placedTriangle, hit);
+                 motion, placedTriangle, hit);
 }
 
 std::size_t LeafFaces::memoryUse() const

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,10 +28,10 @@ public:
     [[nodiscard]] bool isEmpty() const { return m_corners.empty(); }
     [[nodiscard]] std::size_t memoryUse() const;
 
-    /// The face that is nearest to p, if it is within a limit.
-    void measure(const glm::dvec3 &p, double limit, LeafHit &hit) const;
+    /// The face that is nearest to p, if it is within a limit; where p moves, of those ahead.
+    void measure(const glm::dvec3 &p, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const;
     /// The same for the origin, of what a map makes of the mesh. Twice the cost.
-    void measure(const AffineMap &map, double limit, LeafHit &hit) const;
+    void measure(const AffineMap &map, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const;
 
 private:
     const Mesh &m_mesh;

@@ -83,7 +83,11 @@ LocalFrames::Children LocalFrames::boundsOf(std::span<const DescentStep> childre
 LocalFrames::Frame LocalFrames::child(const Frame &frame, const DescentStep &step, double error) const
 {
     const Inverse &inverse = m_inverses[step.set][step.map];
-    return {inverse.childFromParent(frame.p), frame.unit * inverse.scale, error};
+    Frame child{inverse.childFromParent(frame.p), frame.unit * inverse.scale, error};
+    if (frame.motion) {
+        child.motion = inverse.turned.linear * *frame.motion;
+    }
+    return child;
 }
 
 double LocalFrames::errorOf(const Frame &frame, const Children &children) const
@@ -108,6 +112,13 @@ double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, 
     return inverse.scale * (distance.least - hulls.fine.error);
 }
 
+bool LocalFrames::isBehind(const Frame &frame, const Box &box) const
+{
+    const glm::dvec3 &motion = *frame.motion;
+    const glm::dvec3 ahead = glm::max((box.least - frame.p) * motion, (box.greatest - frame.p) * motion);
+    return ahead.x + ahead.y + ahead.z < -2.0 * frame.error / frame.unit * glm::length(motion);
+}
+
 double LocalFrames::sizeOf(const Frame &, const BoundedStates::Bounds &bounds) const
 {
     return bounds.size;
@@ -116,10 +127,10 @@ double LocalFrames::sizeOf(const Frame &, const BoundedStates::Bounds &bounds) c
 void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
 {
     if (!m_faces.isEmpty()) {
-        m_faces.measure(frame.p, limit, hit);
+        m_faces.measure(frame.p, limit, frame.motion, hit);
         return;
     }
-    const FaceRanking &ranking = m_leaf.nearest(frame.p, limit);
+    const FaceRanking &ranking = m_leaf.nearest(frame.p, limit, frame.motion);
     hit.face = ranking.face();
     hit.lower = ranking.lower();
     hit.faceTests = ranking.facesShown();
@@ -133,7 +144,7 @@ void LocalFrames::measure(const Frame &frame, double limit, LeafHit &hit)
 
 void LocalFrames::finish(const Frame &frame, const LeafHit &leaf, std::span<const DescentStep> path, Hit &hit) const
 {
-    place(hit, closestPoint(leaf.triangle, frame.p), leaf.triangle, frame.p);
+    place(hit, closestPoint(leaf.triangle, frame.p), leaf.triangle, frame.p, frame.motion);
     takeOut(frame, path, hit);
 }
 
@@ -142,7 +153,7 @@ void LocalFrames::finish(const Frame &frame, const Box &box, std::span<const Des
     const glm::dvec3 middle = box.centre();
     const glm::dvec3 way = frame.p - middle;
     // a box that is small enough to be finished may be so far off that squares overflow
-    place(hit, {middle, std::hypot(way.x, way.y, way.z), 0.0}, {middle, middle, middle}, frame.p);
+    place(hit, {middle, std::hypot(way.x, way.y, way.z), 0.0}, {middle, middle, middle}, frame.p, frame.motion);
     takeOut(frame, path, hit);
 }
 

@@ -41,6 +41,8 @@ public:
         double unit = 1.0;
         /// p may be off by so much, in the model's unit.
         double error = 0.0;
+        /// The query's, turned.
+        std::optional<glm::dvec3> motion = {};
     };
 
     /// All must outlive it; tree and faces are of the mesh.
@@ -57,7 +59,7 @@ public:
     };
     [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
-    [[nodiscard]] Frame begin(const glm::dvec3 &p) const { return {p}; }
+    [[nodiscard]] Frame begin(const Query &query) const { return {.p = query.p, .motion = query.motion}; }
     /// error: that of the children.
     [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
     /// How far off, in the model's unit, distances may be in children and to them.
@@ -71,6 +73,8 @@ public:
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step,
                                         const HullBounds::Hulls &hulls) const;
 
+    /// Whether no point of a box is ahead of p.
+    [[nodiscard]] bool isBehind(const Frame &frame, const Box &box) const;
     /// How long what stands in a frame is at most in the model, for each unit there.
     [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.unit; }
     /// How far points of a box are apart at most.

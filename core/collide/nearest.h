@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,14 +18,17 @@ namespace romanesco {
 class NearestFace
 {
 public:
-    NearestFace(const Mesh &mesh, const glm::dvec3 &p)
+    /// The mesh and the query must outlive it.
+    NearestFace(const Mesh &mesh, const Query &query)
         : m_mesh(mesh)
-        , m_p(p)
+        , m_query(query)
     {
     }
 
-    /// Looks at all faces of a copy. Whether the nearest so far is one of them.
-    bool consider(const AffineMap &modelFromBase, std::vector<glm::dvec3> &scratch);
+    /// Looks at all faces of a copy; does those count that p does not come nearer to? Whether the nearest so far is one of
+    /// them.
+    enum class Counted { All, Ahead };
+    bool consider(const AffineMap &modelFromBase, Counted counted, std::vector<glm::dvec3> &scratch);
 
     /// Forgets all but the number of tests.
     void restart();
@@ -42,7 +46,7 @@ private:
                                           std::numeric_limits<double>::infinity()};
 
     const Mesh &m_mesh;
-    glm::dvec3 m_p;
+    const Query &m_query;
     ClosestPoint m_nearest = nothing;
     double m_lower = nothing.lower;
     Triangle m_triangle{};
@@ -59,8 +63,17 @@ private:
 /// Makes it say that nothing was found, for nothing.
 void clear(Hit &hit);
 
+/// The direction of a contact with a point of a triangle, as Hit has it.
+[[nodiscard]] glm::dvec3 contactDirection(const glm::dvec3 &point, const Triangle &triangle, const glm::dvec3 &p,
+                                          const std::optional<glm::dvec3> &motion);
+
+/// Whether p comes nearer to that point, or does not move.
+[[nodiscard]] bool isAhead(const glm::dvec3 &point, const Triangle &triangle, const glm::dvec3 &p,
+                           const std::optional<glm::dvec3> &motion);
+
 /// Puts in the nearest point of a face, with its distance and direction.
-void place(Hit &hit, const ClosestPoint &nearest, const Triangle &triangle, const glm::dvec3 &p);
+void place(Hit &hit, const ClosestPoint &nearest, const Triangle &triangle, const glm::dvec3 &p,
+           const std::optional<glm::dvec3> &motion);
 
 /// What the faces come to for a query, but for the address. lower is that of the faces where the promise is Exact, else 0.
 void report(const NearestFace &nearest, const Query &query, Promise promise, Hit &hit);

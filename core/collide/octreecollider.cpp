@@ -207,8 +207,9 @@ public:
         }
         const glm::dvec3 point = nearestOfWalls(lastBox(query.p, hit.cost), query.p);
         const double distance = distanceBetween(point, query.p);
-        if (distance <= query.radius) {
-            place(hit, {point, distance, 0.0}, {point, point, point}, query.p);
+        const Triangle triangle{point, point, point};
+        if (distance <= query.radius && isAhead(point, triangle, query.p, query.motion)) {
+            place(hit, {point, distance, 0.0}, triangle, query.p, query.motion);
         }
     }
 

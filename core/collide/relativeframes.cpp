@@ -61,10 +61,11 @@ RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, cons
 {
 }
 
-RelativeFrames::Frame RelativeFrames::begin(const glm::dvec3 &p)
+RelativeFrames::Frame RelativeFrames::begin(const Query &query)
 {
-    m_p = p;
-    const AffineMap map{m_worldFromModel.linear, m_worldFromModel.translation - p};
+    m_p = query.p;
+    m_motion = query.motion;
+    const AffineMap map{m_worldFromModel.linear, m_worldFromModel.translation - m_p};
     // as of a step with one map, to the mesh
     const double error = m_tree.nodes().empty()
         ? 0.0
@@ -124,6 +125,15 @@ double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &ste
         - frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.fine.error;
 }
 
+bool RelativeFrames::isBehind(const Frame &frame, const Box &box) const
+{
+    double ahead = glm::dot(frame.map(box.centre()), *m_motion);
+    for (const glm::dvec3 &edge : halfEdges(frame.map.linear, box)) {
+        ahead += std::abs(glm::dot(edge, *m_motion));
+    }
+    return ahead < -2.0 * frame.error * glm::length(*m_motion);
+}
+
 double RelativeFrames::sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const
 {
     double size = 0.0;
@@ -136,7 +146,7 @@ double RelativeFrames::sizeOf(const Frame &frame, const BoundedStates::Bounds &b
 void RelativeFrames::measure(const Frame &frame, double limit, LeafHit &hit)
 {
     if (!m_faces.isEmpty()) {
-        m_faces.measure(frame.map, limit, hit);
+        m_faces.measure(frame.map, limit, m_motion, hit);
         return;
     }
     hit = {};
@@ -188,6 +198,10 @@ void RelativeFrames::measureFaces(const Frame &frame, const FaceTree::Node &node
         }
         const TriangleDistance found = romanesco::distanceTo(triangle, glm::dvec3(0.0));
         ++hit.faceTests;
+        const glm::dvec3 p(0.0);
+        if (m_motion && !isAhead(closestPoint(triangle, p).point, triangle, p, m_motion)) {
+            continue;
+        }
         hit.lower = std::min(hit.lower, std::max(found.distance - found.error, 0.0));
         const bool isFirst = hit.face == Mesh::none;
         if (isFirst ? found.distance - found.error <= limit : found.distance < limit) {
@@ -200,14 +214,14 @@ void RelativeFrames::measureFaces(const Frame &frame, const FaceTree::Node &node
 
 void RelativeFrames::finish(const Frame &, const LeafHit &leaf, std::span<const DescentStep>, Hit &hit) const
 {
-    place(hit, closestPoint(leaf.triangle, glm::dvec3(0.0)), leaf.triangle, glm::dvec3(0.0));
+    place(hit, closestPoint(leaf.triangle, glm::dvec3(0.0)), leaf.triangle, glm::dvec3(0.0), m_motion);
     hit.point += m_p;
 }
 
 void RelativeFrames::finish(const Frame &frame, const Box &box, std::span<const DescentStep>, Hit &hit) const
 {
     const glm::dvec3 middle = frame.map(box.centre());
-    place(hit, {middle, glm::length(middle), 0.0}, {middle, middle, middle}, glm::dvec3(0.0));
+    place(hit, {middle, glm::length(middle), 0.0}, {middle, middle, middle}, glm::dvec3(0.0), m_motion);
     hit.point += m_p;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,7 +50,7 @@ public:
     };
     [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
-    [[nodiscard]] Frame begin(const glm::dvec3 &p);
+    [[nodiscard]] Frame begin(const Query &query);
     /// error: that of the children.
     [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
     /// How far off distances may be in children and to them.
@@ -62,6 +63,8 @@ public:
     /// From p to a fine hull in the frame of a child.
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls);
 
+    /// Whether no point of a box is ahead of p.
+    [[nodiscard]] bool isBehind(const Frame &frame, const Box &box) const;
     /// How long what stands in a frame is at most in the model, for each unit there.
     [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.norm; }
     /// How far points of a box are apart at most.
@@ -89,6 +92,7 @@ private:
     AffineMap m_worldFromModel;
     double m_norm = 1.0;
     glm::dvec3 m_p{0.0};
+    std::optional<glm::dvec3> m_motion;
     std::vector<Waiting> m_waiting;
     std::vector<glm::dvec3> m_corners;
 };

@@ -21,11 +21,11 @@ public:
 
     void closest(const Query &query, Hit &hit) override
     {
-        NearestFace nearest(m_mesh, query.p);
+        NearestFace nearest(m_mesh, query);
         CopyWalk copies(m_graph, CopyWalk::Addresses::Keep, query.stop);
         hit.address.clear();
         while (copies.next()) {
-            if (nearest.consider(m_worldFromModel * copies.modelFromBase(), m_vertices)) {
+            if (nearest.consider(m_worldFromModel * copies.modelFromBase(), NearestFace::Counted::Ahead, m_vertices)) {
                 hit.address.assign(copies.address().begin(), copies.address().end());
             }
         }

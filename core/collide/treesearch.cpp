@@ -6,12 +6,12 @@
 
 namespace romanesco {
 
-const FaceRanking &TreeSearch::nearest(const glm::dvec3 &p, double radius)
+const FaceRanking &TreeSearch::nearest(const glm::dvec3 &p, double radius, const std::optional<glm::dvec3> &motion)
 {
     const std::span<const FaceTree::Node> nodes = m_tree.nodes();
     m_nodeVisits = 0;
     m_waitingCount = 0;
-    m_ranking.begin(p, radius, nodes.empty() ? Box{p, p} : nodes.front().box);
+    m_ranking.begin(p, radius, nodes.empty() ? Box{p, p} : nodes.front().box, motion);
     if (!nodes.empty()) {
         m_waiting[m_waitingCount++] = {0, m_ranking.squareTo(nodes.front().box)};
     }

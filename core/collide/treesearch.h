@@ -21,9 +21,9 @@ public:
     {
     }
 
-    /// Ranks the faces within radius of p, whose coordinates are at most 1e300. The answer is valid until the next call,
+    /// Ranks the faces within radius of p, whose coordinates are at most 1e300; those ahead, where p moves. The answer is valid until the next call,
     /// and the same for every tree of the mesh, but for what it cost and how low `lower()` is.
-    const FaceRanking &nearest(const glm::dvec3 &p, double radius);
+    const FaceRanking &nearest(const glm::dvec3 &p, double radius, const std::optional<glm::dvec3> &motion);
 
     /// Nodes whose children were looked at, and leaves, by the last call.
     [[nodiscard]] std::uint64_t nodeVisits() const { return m_nodeVisits; }

@@ -329,6 +329,7 @@ void SceneSearch::searchModel(Search &search, const Similarity &worldFromModel, 
     const double error = errorOfMap * (sumOfSizes(query.p) + scale * sumOfSizes(inverse.translation));
     Query inModel = query;
     inModel.p = inverse(query.p);
+    inModel.motion = query.motion.transform([&](const glm::dvec3 &motion) { return inverse.linear * motion * scale; });
     inModel.radius = (query.radius + error) / scale * (1.0 + 4.0 * epsilon);
     search.closest(inModel, m_ofItem);
     m_ofItem.lower = std::max(m_ofItem.lower * scale * (1.0 - 4.0 * epsilon) - error, 0.0);

@@ -192,15 +192,15 @@ void TestFaceLanes::theNearestFaceOfAMeshIsFound()
         const AffineMap seenFromP{glm::dmat3(1.0), -p};
         LeafHit itself;
         LeafHit placed;
-        faces.measure(p, std::numeric_limits<double>::infinity(), itself);
-        faces.measure(seenFromP, std::numeric_limits<double>::infinity(), placed);
+        faces.measure(p, std::numeric_limits<double>::infinity(), {}, itself);
+        faces.measure(seenFromP, std::numeric_limits<double>::infinity(), {}, placed);
         for (const LeafHit &hit : {itself, placed}) {
             QCOMPARE(hit.faceTests, count);
             QVERIFY(abs(Real(hit.distance) - truth) <= Real(errorOfFaceDistances * reach));
             QVERIFY(Real(hit.lower) <= truth + Real(1e-15 * reach)); // corners that are seen from p are rounded
             QVERIFY(Real(hit.lower) >= truth - Real(2 * errorOfFaceDistances * reach));
         }
-        faces.measure(p, static_cast<double>(truth) * 0.99 - 1e-12 * reach, itself);
+        faces.measure(p, static_cast<double>(truth) * 0.99 - 1e-12 * reach, {}, itself);
         if (truth > Real(1e-9 * reach)) {
             QCOMPARE(itself.face, Mesh::none);
             QVERIFY(Real(itself.lower) <= truth

@@ -57,4 +57,38 @@ T distance(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
     return sqrt(*least);
 }
 
+/// The way to p from the point of a triangle that is nearest to it: of the feet on its vertices, edges and face.
+template<typename T>
+Vector<T> wayFrom(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
+{
+    std::optional<Vector<T>> nearest;
+    const auto consider = [&](const Vector<T> &way) {
+        if (!nearest || dot(way, way) < dot(*nearest, *nearest)) {
+            nearest = way;
+        }
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vector<T> way = difference(p, triangle[i]);
+        const Vector<T> u = difference(triangle[(i + 1) % 3], triangle[i]);
+        const Vector<T> v = difference(triangle[(i + 2) % 3], triangle[i]);
+        const auto after = [&](const T &s, const T &t) {
+            return Vector<T>{way[0] - s * u[0] - t * v[0], way[1] - s * u[1] - t * v[1], way[2] - s * u[2] - t * v[2]};
+        };
+        consider(way);
+        const T uu = dot(u, u);
+        const T vv = dot(v, v);
+        const T uv = dot(u, v);
+        if (dot(u, way) >= 0 && dot(u, way) <= uu && uu > 0) {
+            consider(after(dot(u, way) / uu, T(0)));
+        }
+        const T determinant = uu * vv - uv * uv;
+        const T s = vv * dot(u, way) - uv * dot(v, way);
+        const T t = uu * dot(v, way) - uv * dot(u, way);
+        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+            consider(after(s / determinant, t / determinant));
+        }
+    }
+    return *nearest;
+}
+
 }
