@@ -7,11 +7,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "cgalcollider.h"
 #include "collideworkloads.h"
 #include "core/collide/exactcollider.h"
 #include "core/collide/greedycollider.h"
 #include "core/collide/octreecollider.h"
 #include "core/collide/simplecollider.h"
+#include "embreecollider.h"
 
 using namespace romanesco;
 using namespace romanesco::bench;
@@ -82,6 +84,12 @@ private:
         if (kind == "exact" || kind == "approximate") {
             const double excess = kind == "exact" ? 0.0 : 1e-3;
             return std::make_unique<ExactCollider>(ExactCollider::create(graph, m_boxes, mesh, excess).value());
+        }
+        if (kind == "embree") {
+            return std::make_unique<EmbreeCollider>(EmbreeCollider::flattened(all));
+        }
+        if (kind == "cgal") {
+            return std::make_unique<CgalCollider>(all);
         }
         return std::make_unique<BvhCollider>(BvhCollider::create(all).value());
     }
@@ -162,7 +170,8 @@ void registerAll()
         {"uneven-scales", 6}, {"appendix-b", 3}, {"sierpinski", 8}, {"menger", 4}};
     for (const auto &[name, depth] : workloads) {
         for (const Place place : {Place::Uniform, Place::Near, Place::Pocket}) {
-            for (const std::string kind : {"simple", "greedy", "octree", "bvh", "exact", "approximate"}) {
+            for (const std::string kind :
+                 {"simple", "greedy", "octree", "bvh", "exact", "approximate", "embree", "cgal"}) {
                 const std::string title = name + "/" + placeNames[static_cast<std::size_t>(place)] + "/" + kind;
                 const bool isSlow = kind == "simple";
                 auto *run = benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
