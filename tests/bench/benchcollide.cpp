@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -8,7 +9,9 @@
 #include <benchmark/benchmark.h>
 
 #include "cgalcollider.h"
+#include "collidesurvey.h"
 #include "collideworkloads.h"
+#include "core/collide/bvhcollider.h"
 #include "core/collide/exactcollider.h"
 #include "core/collide/greedycollider.h"
 #include "core/collide/octreecollider.h"
@@ -29,9 +32,8 @@ struct Made {
 class Bench
 {
 public:
-    Bench(const std::string &name, std::uint64_t depth)
-        : m_workload(workload(name, depth))
-        , m_boxes(m_workload.graph, m_workload.mesh)
+    explicit Bench(Workload workload)
+        : m_workload(std::move(workload))
     {
     }
 
@@ -48,30 +50,38 @@ public:
         return made;
     }
 
-    struct Asked {
-        std::vector<glm::dvec3> points;
-        std::vector<double> distances;
-    };
-    const Asked &asked(Place place)
+    /// With answers where the workload is written out.
+    const Answered &asked(Place place)
     {
-        Asked &asked = m_asked[place];
+        Answered &asked = m_asked[place];
         if (asked.points.empty()) {
-            const Collider &exact = *made("bvh").collider;
+            const bool isWrittenOut = !m_workload.all.faces.empty();
+            const Collider &exact = *made(isWrittenOut ? "bvh" : "exact").collider;
             asked.points = queries(m_workload, exact, place);
-            const auto search = exact.search();
-            Hit hit;
-            for (const glm::dvec3 &p : asked.points) {
-                search->closest({p}, hit);
-                asked.distances.push_back(hit.distance);
+            if (isWrittenOut) {
+                asked = answered(exact, std::move(asked.points));
             }
         }
         return asked;
     }
 
+    /// Made once, since counts are the same in every repetition.
+    const Survey &surveyed(const std::string &kind, Place place, std::size_t most)
+    {
+        const auto [known, isNew] = m_surveys.try_emplace({kind, place});
+        if (isNew) {
+            const double reach = 0.02 * m_workload.diagonal;
+            known->second = survey(*made(kind).collider, asked(place), reach, most);
+        }
+        return known->second;
+    }
+
 private:
     std::unique_ptr<Collider> make(const std::string &kind) const
     {
-        const auto &[mesh, graph, all, diagonal] = m_workload;
+        const Mesh &mesh = m_workload.mesh;
+        const Mesh &all = m_workload.all;
+        const FractalGraph &graph = m_workload.graph;
         if (kind == "simple") {
             return std::make_unique<SimpleCollider>(graph, mesh);
         }
@@ -83,10 +93,14 @@ private:
         }
         if (kind == "exact" || kind == "approximate") {
             const double excess = kind == "exact" ? 0.0 : 1e-3;
-            return std::make_unique<ExactCollider>(ExactCollider::create(graph, m_boxes, mesh, excess).value());
+            return std::make_unique<ExactCollider>(
+                ExactCollider::create(graph, m_workload.boxes, mesh, excess).value());
         }
         if (kind == "embree") {
             return std::make_unique<EmbreeCollider>(EmbreeCollider::flattened(all));
+        }
+        if (kind == "embree-instanced") {
+            return std::make_unique<EmbreeCollider>(EmbreeCollider::instanced(graph, mesh));
         }
         if (kind == "cgal") {
             return std::make_unique<CgalCollider>(all);
@@ -95,101 +109,140 @@ private:
     }
 
     Workload m_workload;
-    BoxBounds m_boxes;
     std::map<std::string, Made> m_made;
-    std::map<Place, Asked> m_asked;
+    std::map<Place, Answered> m_asked;
+    std::map<std::pair<std::string, Place>, Survey> m_surveys;
 };
 
-Bench &benchOf(const std::string &name, std::uint64_t depth)
+Bench &benchOf(const std::string &name, std::uint64_t depth, bool isWrittenOut)
 {
-    static std::map<std::string, std::unique_ptr<Bench>> benches;
-    std::unique_ptr<Bench> &bench = benches[name];
+    static std::map<std::pair<std::string, std::uint64_t>, std::unique_ptr<Bench>> written;
+    static std::map<std::pair<std::string, std::uint64_t>, std::unique_ptr<Bench>> deep;
+    std::unique_ptr<Bench> &bench = (isWrittenOut ? written : deep)[{name, depth}];
     if (!bench) {
-        bench = std::make_unique<Bench>(name, depth);
+        bench = std::make_unique<Bench>(isWrittenOut ? workload(name, depth) : deepWorkload(name, depth));
     }
     return *bench;
 }
 
-/// Shares of the answers, in per cent.
-void countErrors(benchmark::State &state, Bench &bench, const Collider &collider, Place place, std::size_t most)
+/// A cost that a collider does not tell is left out.
+void count(benchmark::State &state, const std::string &what, const Survey::Cost &cost)
 {
-    const Bench::Asked &asked = bench.asked(place);
-    const std::size_t count = std::min(most, asked.points.size());
-    const auto search = collider.search();
-    const double reach = 0.02 * bench.workloadItself().diagonal;
-    double faceTests = 0.0;
-    double nodeVisits = 0.0;
-    std::array<double, 3> wrong{};
-    double missed = 0.0;
-    Hit hit;
-    for (std::size_t i = 0; i < count; ++i) {
-        search->closest({asked.points[i]}, hit);
-        const double truth = asked.distances[i];
-        faceTests += static_cast<double>(hit.cost.faceTests);
-        nodeVisits += static_cast<double>(hit.cost.nodeVisits);
-        for (std::size_t k = 0; k < wrong.size(); ++k) {
-            const double allowed = std::array{1e-6, 0.01, 0.1}[k] * truth;
-            wrong[k] += std::abs(hit.distance - truth) > allowed ? 1.0 : 0.0;
-        }
-        missed += truth < reach && hit.distance >= reach ? 1.0 : 0.0;
+    if (cost.mean > 0.0) {
+        state.counters[what] = cost.mean;
+        state.counters[what + "_p99"] = cost.p99;
     }
-    const auto mean = [&](double sum) { return sum / static_cast<double>(count); };
-    state.counters["faces"] = mean(faceTests);
-    state.counters["nodes"] = mean(nodeVisits);
-    state.counters["wrong_%"] = 100.0 * mean(wrong[0]);
-    state.counters["wrong_by_1%"] = 100.0 * mean(wrong[1]);
-    state.counters["wrong_by_10%"] = 100.0 * mean(wrong[2]);
-    state.counters["missed_%"] = 100.0 * mean(missed);
+}
+
+void count(benchmark::State &state, const Bench &bench, const Made &made, const Survey &survey)
+{
+    count(state, "faces", survey.faceTests);
+    count(state, "nodes", survey.nodeVisits);
+    const Workload &workload = bench.workloadItself();
+    if (const std::size_t faces = workload.all.faces.size(); faces > 0) {
+        state.counters["of"] = static_cast<double>(faces);
+        state.counters["wrong_%"] = 100.0 * survey.wrong[0];
+        state.counters["wrong_by_1%"] = 100.0 * survey.wrong[1];
+        state.counters["wrong_by_10%"] = 100.0 * survey.wrong[2];
+        state.counters["missed_%"] = 100.0 * survey.missed;
+        state.counters["turned_%"] = 100.0 * survey.turned;
+    }
+    state.counters["build_ms"] = 1e3 * made.seconds;
+    state.counters["graph_ms"] = 1e3 * workload.seconds;
+    state.counters["KiB"] = static_cast<double>(made.collider->memoryUse()) / 1024.0;
+    state.counters["graph_KiB"] = static_cast<double>(workload.graph.memoryUse() + workload.boxes.memoryUse()) / 1024.0;
+    state.counters["search_KiB"] = static_cast<double>(survey.searchBytes) / 1024.0;
+    if (const auto *embree = dynamic_cast<const EmbreeCollider *>(made.collider.get())) {
+        state.counters["peak_KiB"] = static_cast<double>(embree->peakMemory()) / 1024.0;
+    }
 }
 
 /// most: queries whose errors are counted.
-void closest(benchmark::State &state, const std::string &name, std::uint64_t depth, const std::string &kind,
-             Place place, std::size_t most)
+void closest(benchmark::State &state, Bench &bench, const std::string &kind, Place place, std::size_t most)
 {
-    Bench &bench = benchOf(name, depth);
     const std::vector<glm::dvec3> &points = bench.asked(place).points;
     const Made &made = bench.made(kind);
+    const Survey &survey = bench.surveyed(kind, place, most);
     const auto search = made.collider->search();
     Hit hit;
     std::size_t next = 0;
     for (auto _ : state) {
-        search->closest({points[next++ % points.size()]}, hit);
+        search->closest({points[next]}, hit);
         benchmark::DoNotOptimize(hit.distance);
+        next = next + 1 < points.size() ? next + 1 : 0;
     }
-    countErrors(state, bench, *made.collider, place, most);
-    state.counters["build_ms"] = 1e3 * made.seconds;
-    state.counters["KiB"] = static_cast<double>(made.collider->memoryUse()) / 1024.0;
-    state.counters["of"] = static_cast<double>(bench.workloadItself().all.faces.size());
+    count(state, bench, made, survey);
 }
 
-void registerAll()
+std::string titled(const std::string &prefix, Place place, const std::string &kind)
 {
-    // Menger one level less deep than the dissertation's, to be written out
+    return prefix + "/" + placeNames[static_cast<std::size_t>(place)] + "/" + kind;
+}
+
+void registerWrittenOut(const std::string &name, std::uint64_t depth, const std::vector<std::string> &kinds)
+{
+    for (const Place place : {Place::Uniform, Place::Near, Place::Pocket}) {
+        for (const std::string &kind : kinds) {
+            const bool isSlow = kind == "simple";
+            const std::string title = titled(name + "-" + std::to_string(depth), place, kind);
+            auto *run = benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
+                closest(state, benchOf(name, depth, true), kind, place, isSlow ? 20 : 1'500);
+            });
+            if (isSlow) {
+                run->Iterations(3);
+            }
+        }
+    }
+}
+
+/// Graphs alone.
+void registerDeep(const std::string &name, std::uint64_t depth)
+{
+    for (const Place place : {Place::Uniform, Place::Near}) {
+        for (const std::string kind : {"exact", "approximate"}) {
+            const std::string title = titled("depth/" + name + "-" + std::to_string(depth), place, kind);
+            benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
+                closest(state, benchOf(name, depth, false), kind, place, 1'500);
+            });
+        }
+    }
+}
+
+void registerAll(bool withHuge)
+{
+    const std::vector<std::string> all{"exact",  "approximate",      "bvh", "greedy", "octree", "simple",
+                                       "embree", "embree-instanced", "cgal"};
+    // Menger one level less deep than the dissertation's, for all to hold it
     const std::vector<std::pair<std::string, std::uint64_t>> workloads{
         {"two-sets", 3},      {"tree7", 5},      {"mild-tree", 5},  {"rotated-tree", 7},
         {"uneven-scales", 6}, {"appendix-b", 3}, {"sierpinski", 8}, {"menger", 4}};
     for (const auto &[name, depth] : workloads) {
-        for (const Place place : {Place::Uniform, Place::Near, Place::Pocket}) {
-            for (const std::string kind :
-                 {"simple", "greedy", "octree", "bvh", "exact", "approximate", "embree", "cgal"}) {
-                const std::string title = name + "/" + placeNames[static_cast<std::size_t>(place)] + "/" + kind;
-                const bool isSlow = kind == "simple";
-                auto *run = benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
-                    closest(state, name, depth, kind, place, isSlow ? 3 : 1'500);
-                });
-                if (isSlow) {
-                    run->Iterations(3);
-                }
-            }
+        registerWrittenOut(name, depth, all);
+    }
+    if (withHuge) {
+        registerWrittenOut("menger", 5, {"exact", "approximate", "bvh", "greedy", "embree", "embree-instanced"});
+    }
+    for (const auto &[name, depth] : workloads) {
+        for (const std::uint64_t deep : {5, 6, 8, 10, 20, 40}) {
+            registerDeep(name, deep);
         }
     }
+}
+
+/// Takes a flag out of the arguments.
+bool takeFlag(int &argc, char **argv, const std::string &flag)
+{
+    char **const end = std::remove(argv, argv + argc, flag);
+    const bool isThere = end != argv + argc;
+    argc = static_cast<int>(end - argv);
+    return isThere;
 }
 
 }
 
 int main(int argc, char **argv)
 {
-    registerAll();
+    registerAll(takeFlag(argc, argv, "--huge"));
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
         return 1;

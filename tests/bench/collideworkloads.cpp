@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "collideworkloads.h"
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +16,7 @@
 #include "core/formats/fdoreader.h"
 #include "core/formats/objreader.h"
 #include "core/fractal/copies.h"
+#include "core/fractal/statetable.h"
 
 namespace romanesco::bench {
 
@@ -44,13 +46,7 @@ Mesh writtenOut(const FractalGraph &graph, const Mesh &mesh)
     Mesh all;
     CopyWalk copies(graph);
     while (copies.next()) {
-        const auto before = static_cast<std::uint32_t>(all.vertices.size());
-        for (const glm::dvec3 &vertex : mesh.vertices) {
-            all.vertices.push_back(copies.modelFromBase()(vertex));
-        }
-        for (const Mesh::Face &face : mesh.faces) {
-            all.faces.push_back({face[0] + before, face[1] + before, face[2] + before});
-        }
+        append(all, mesh, copies.modelFromBase());
     }
     return all;
 }
@@ -75,8 +71,9 @@ class Asker
 public:
     Asker(const Workload &workload, const Collider &exact)
         : m_workload(workload)
-        , m_box(boxRound(workload.all.vertices))
+        , m_box(workload.box)
         , m_search(exact.search())
+        , m_states(workload.graph)
     {
     }
 
@@ -96,15 +93,49 @@ private:
         return box.least + glm::dvec3(uniform(0, 1), uniform(0, 1), uniform(0, 1)) * box.size();
     }
 
+    /// A corner and the edges from it.
+    struct Face {
+        glm::dvec3 corner;
+        std::array<glm::dvec3, 2> edges;
+    };
+
+    Face face(const Mesh &mesh, const AffineMap &map)
+    {
+        const Mesh::Face &face = mesh.faces[m_random() % mesh.faces.size()];
+        const glm::dvec3 &corner = mesh.vertices[face[0]];
+        return {map(corner),
+                {map.linear * (mesh.vertices[face[1]] - corner), map.linear * (mesh.vertices[face[2]] - corner)}};
+    }
+
+    /// By picks that are equally likely, as long as there are any.
+    AffineMap copy()
+    {
+        AffineMap map;
+        for (StateId state = m_states.root();;) {
+            const Expansion &expansion = m_states.expansion(state);
+            std::vector<std::pair<const AffineMap *, StateId>> children;
+            for (const ChildRange &range : expansion.ranges) {
+                for (std::uint32_t i = range.firstMap; i < range.endMap; ++i) {
+                    children.emplace_back(&m_workload.graph.set(range.set).maps[i], range.next);
+                }
+            }
+            if (children.empty()) {
+                return map;
+            }
+            const auto &[child, next] = children[m_random() % children.size()];
+            map = map * *child;
+            state = next;
+        }
+    }
+
     glm::dvec3 nearFace()
     {
-        const Mesh::Face &face = m_workload.all.faces[m_random() % m_workload.all.faces.size()];
-        const std::array corners{m_workload.all.vertices[face[0]], m_workload.all.vertices[face[1]],
-                                 m_workload.all.vertices[face[2]]};
+        const bool isWrittenOut = !m_workload.all.faces.empty();
+        const Face near = isWrittenOut ? face(m_workload.all, {}) : face(m_workload.mesh, copy());
         const double s = std::sqrt(uniform(0, 1));
         const double t = uniform(0, 1);
-        const glm::dvec3 on = (1 - s) * corners[0] + s * (1 - t) * corners[1] + s * t * corners[2];
-        const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        const glm::dvec3 on = near.corner + s * (1 - t) * near.edges[0] + s * t * near.edges[1];
+        const glm::dvec3 normal = glm::normalize(glm::cross(near.edges[0], near.edges[1]));
         const double away = m_workload.diagonal * std::pow(10.0, uniform(-3, -1.3));
         return on + (m_random() % 2 == 0 ? away : -away) * normal;
     }
@@ -135,19 +166,42 @@ private:
     Box m_box;
     std::unique_ptr<Search> m_search;
     Hit m_hit;
+    StateTable m_states;
     std::mt19937_64 m_random{1};
 };
 
 }
 
-Workload workload(const std::string &name, std::uint64_t depth)
+void append(Mesh &all, const Mesh &mesh, const AffineMap &map)
+{
+    const auto before = static_cast<std::uint32_t>(all.vertices.size());
+    for (const glm::dvec3 &vertex : mesh.vertices) {
+        all.vertices.push_back(map(vertex));
+    }
+    for (const Mesh::Face &face : mesh.faces) {
+        all.faces.push_back({face[0] + before, face[1] + before, face[2] + before});
+    }
+}
+
+Workload deepWorkload(const std::string &name, std::uint64_t depth)
 {
     const FractalDescription description = described(textOf(name + ".fdo"), depth);
     Mesh mesh = readObj(textOf(description.meshPath)).mesh;
+    const auto begin = std::chrono::steady_clock::now();
     FractalGraph graph = FractalGraph::build(description, boundingSphere(mesh)).value();
-    Mesh all = writtenOut(graph, mesh);
-    const double diagonal = glm::length(boxRound(all.vertices).size());
-    return {std::move(mesh), std::move(graph), std::move(all), diagonal};
+    BoxBounds boxes(graph, mesh);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const Box box = boxes.at(graph, 0);
+    return {std::move(mesh), std::move(graph), std::move(boxes), seconds, {}, box, glm::length(box.size())};
+}
+
+Workload workload(const std::string &name, std::uint64_t depth)
+{
+    Workload workload = deepWorkload(name, depth);
+    workload.all = writtenOut(workload.graph, workload.mesh);
+    workload.box = boxRound(workload.all.vertices);
+    workload.diagonal = glm::length(workload.box.size());
+    return workload;
 }
 
 std::vector<glm::dvec3> queries(const Workload &workload, const Collider &exact, Place place)

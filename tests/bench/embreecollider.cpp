@@ -7,11 +7,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <span>
+#include <map>
 #include <vector>
 
 #include <embree4/rtcore.h>
 #include <glm/geometric.hpp>
+
+#include "collideworkloads.h"
+#include "core/fractal/statetable.h"
 
 namespace romanesco::bench {
 
@@ -125,7 +128,18 @@ public:
         return {vertices, faces};
     }
 
-    /// What rtcPointQuery() finds first of all: the triangles by number of the geometry in the top scene.
+    /// Puts a scene into the one on top.
+    void place(RTCScene scene, const AffineMap &map)
+    {
+        const RTCGeometry geometry = rtcNewGeometry(m_device, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(geometry, scene);
+        const glm::mat4x3 matrix(glm::vec3(map.linear[0]), glm::vec3(map.linear[1]), glm::vec3(map.linear[2]),
+                                 glm::vec3(map.translation));
+        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &matrix);
+        attach(m_top, geometry);
+    }
+
+    /// By number of the geometry in the scene on top, which is all that a callback is told of.
     std::vector<Triangles> trianglesOfTop;
 
     [[nodiscard]] std::size_t held() const { return static_cast<std::size_t>(m_held.load()); }
@@ -160,6 +174,110 @@ private:
     RTCDevice m_device;
     std::vector<RTCScene> m_scenes;
     RTCScene m_top;
+};
+
+/// Makes a scene of each state that few copies hang of, and places it.
+class EmbreeCollider::Instancer
+{
+public:
+    Instancer(const FractalGraph &graph, const Mesh &mesh, Scenes &scenes)
+        : m_mesh(mesh)
+        , m_scenes(scenes)
+        , m_table(graph)
+        , m_most(std::sqrt(copiesBelow(m_table.root())))
+    {
+    }
+
+    void placeAll()
+    {
+        findPlacements();
+        for (const auto &[state, maps] : m_placements) {
+            // Embree takes a map for a similarity by an absolute tolerance: its inverse must not be large
+            double unit = std::numeric_limits<double>::infinity();
+            for (const AffineMap &map : maps) {
+                unit = std::min(unit, operatorNorm(map.linear));
+            }
+            const RTCScene scene = m_scenes.newScene();
+            const Triangles triangles = m_scenes.fill(scene, writtenOut(state, unit));
+            for (const AffineMap &map : maps) {
+                m_scenes.place(scene, map * scaling(1.0 / unit));
+                m_scenes.trianglesOfTop.push_back(triangles);
+            }
+        }
+        rtcCommitScene(m_scenes.top());
+    }
+
+private:
+    /// In place of a state: the base mesh.
+    static constexpr StateId alone = std::numeric_limits<StateId>::max();
+
+    static AffineMap scaling(double factor) { return {glm::dmat3(factor), glm::dvec3(0.0)}; }
+
+    void findPlacements()
+    {
+        const auto enters = [&](const AffineMap &map, StateId state) {
+            if (copiesBelow(state) > m_most) {
+                return true;
+            }
+            m_placements[state].push_back(map);
+            return false;
+        };
+        goDown(m_table.root(), enters, [&](const AffineMap &map) { m_placements[alone].push_back(map); });
+    }
+
+    double copiesBelow(StateId state)
+    {
+        if (const auto known = m_copies.find(state); known != m_copies.end()) {
+            return known->second;
+        }
+        const Expansion &expansion = m_table.expansion(state);
+        double copies = expansion.hasLeaf ? 1.0 : 0.0;
+        for (const ChildRange &range : expansion.ranges) {
+            copies += (range.endMap - range.firstMap) * copiesBelow(range.next);
+        }
+        return m_copies[state] = copies;
+    }
+
+    /// Calls enters(map, state) for what hangs of a state, and where that is true for what hangs of it; use(map) for copies.
+    void goDown(StateId from, const auto &enters, const auto &use)
+    {
+        std::vector<std::pair<AffineMap, StateId>> waiting{{AffineMap{}, from}};
+        while (!waiting.empty()) {
+            const auto [map, state] = waiting.back();
+            waiting.pop_back();
+            if (!enters(map, state)) {
+                continue;
+            }
+            const Expansion &expansion = m_table.expansion(state);
+            if (expansion.hasLeaf) {
+                use(map);
+            }
+            for (const ChildRange &range : expansion.ranges) {
+                for (std::uint32_t i = range.firstMap; i < range.endMap; ++i) {
+                    waiting.emplace_back(map * m_table.graph().set(range.set).maps[i], range.next);
+                }
+            }
+        }
+    }
+
+    Mesh writtenOut(StateId state, double unit)
+    {
+        Mesh all;
+        const auto use = [&](const AffineMap &map) { append(all, m_mesh, scaling(unit) * map); };
+        if (state == alone) {
+            use({});
+        } else {
+            goDown(state, [](const AffineMap &, StateId) { return true; }, use);
+        }
+        return all;
+    }
+
+    const Mesh &m_mesh;
+    Scenes &m_scenes;
+    StateTable m_table;
+    std::map<StateId, double> m_copies;
+    std::map<StateId, std::vector<AffineMap>> m_placements;
+    double m_most;
 };
 
 class EmbreeCollider::Descent final : public Search
@@ -242,6 +360,13 @@ EmbreeCollider EmbreeCollider::flattened(const Mesh &all)
 {
     auto scenes = std::make_unique<Scenes>();
     scenes->trianglesOfTop.push_back(scenes->fill(scenes->top(), all));
+    return EmbreeCollider(std::move(scenes));
+}
+
+EmbreeCollider EmbreeCollider::instanced(const FractalGraph &graph, const Mesh &mesh)
+{
+    auto scenes = std::make_unique<Scenes>();
+    Instancer(graph, mesh, *scenes).placeAll();
     return EmbreeCollider(std::move(scenes));
 }
 

@@ -18,8 +18,9 @@ public:
     /// Of all faces in one hierarchy.
     [[nodiscard]] static EmbreeCollider flattened(const Mesh &all);
 
-    /// A hierarchy of instances, over hierarchies of faces: one for each distinct state of the graph of which fewer faces
-    /// hang than the square root of all, which takes the least memory; one level, as Embree is packaged. The graph is of
+    /// One hierarchy of instances over hierarchies of faces, since Embree is packaged for a single level of instances. A
+    /// branch of the graph is an instance where no more copies hang of it than the square root of all, so that there are
+    /// about as many instances as copies in one: equal branches share their faces. Any affine maps. The graph is of
     /// that mesh and has few levels.
     [[nodiscard]] static EmbreeCollider instanced(const FractalGraph &graph, const Mesh &mesh);
 
@@ -34,6 +35,7 @@ public:
 
 private:
     class Scenes;
+    class Instancer;
     class Descent;
 
     explicit EmbreeCollider(std::unique_ptr<Scenes> scenes);
