@@ -10,6 +10,7 @@
 
 #include "cgalcollider.h"
 #include "collidesurvey.h"
+#include "collidetables.h"
 #include "collideworkloads.h"
 #include "core/collide/bvhcollider.h"
 #include "core/collide/exactcollider.h"
@@ -125,21 +126,27 @@ Bench &benchOf(const std::string &name, std::uint64_t depth, bool isWrittenOut)
     return *bench;
 }
 
-/// A cost that a collider does not tell is left out.
 void count(benchmark::State &state, const std::string &what, const Survey::Cost &cost)
 {
-    if (cost.mean > 0.0) {
-        state.counters[what] = cost.mean;
-        state.counters[what + "_p99"] = cost.p99;
-    }
+    state.counters[what] = cost.mean;
+    state.counters[what + "_p99"] = cost.p99;
 }
 
 void count(benchmark::State &state, const Bench &bench, const Made &made, const Survey &survey)
 {
-    count(state, "faces", survey.faceTests);
-    count(state, "nodes", survey.nodeVisits);
+    // what a collider does not tell is left out
+    const bool tellsNodes = survey.nodeVisits.mean > 0.0;
+    if (tellsNodes) {
+        count(state, "nodes", survey.nodeVisits);
+    }
+    if (tellsNodes || survey.faceTests.mean > 0.0) {
+        count(state, "faces", survey.faceTests);
+    }
     const Workload &workload = bench.workloadItself();
-    if (const std::size_t faces = workload.all.faces.size(); faces > 0) {
+    if (workload.all.faces.empty()) {
+        state.counters["cut_off_%"] = 100.0 * survey.cutOff;
+    } else {
+        const std::size_t faces = workload.all.faces.size();
         state.counters["of"] = static_cast<double>(faces);
         state.counters["wrong_%"] = 100.0 * survey.wrong[0];
         state.counters["wrong_by_1%"] = 100.0 * survey.wrong[1];
@@ -149,7 +156,7 @@ void count(benchmark::State &state, const Bench &bench, const Made &made, const 
     }
     state.counters["build_ms"] = 1e3 * made.seconds;
     state.counters["graph_ms"] = 1e3 * workload.seconds;
-    state.counters["KiB"] = static_cast<double>(made.collider->memoryUse()) / 1024.0;
+    state.counters["build_KiB"] = static_cast<double>(made.collider->memoryUse()) / 1024.0;
     state.counters["graph_KiB"] = static_cast<double>(workload.graph.memoryUse() + workload.boxes.memoryUse()) / 1024.0;
     state.counters["search_KiB"] = static_cast<double>(survey.searchBytes) / 1024.0;
     if (const auto *embree = dynamic_cast<const EmbreeCollider *>(made.collider.get())) {
@@ -165,9 +172,12 @@ void closest(benchmark::State &state, Bench &bench, const std::string &kind, Pla
     const Survey &survey = bench.surveyed(kind, place, most);
     const auto search = made.collider->search();
     Hit hit;
+    for (std::size_t i = 0; i < most / 15; ++i) {
+        search->closest({.p = points[i], .nodeBudget = nodeBudget}, hit); // a search grows at first
+    }
     std::size_t next = 0;
     for (auto _ : state) {
-        search->closest({points[next]}, hit);
+        search->closest({.p = points[next], .nodeBudget = nodeBudget}, hit);
         benchmark::DoNotOptimize(hit.distance);
         next = next + 1 < points.size() ? next + 1 : 0;
     }
@@ -179,17 +189,18 @@ std::string titled(const std::string &prefix, Place place, const std::string &ki
     return prefix + "/" + placeNames[static_cast<std::size_t>(place)] + "/" + kind;
 }
 
-void registerWrittenOut(const std::string &name, std::uint64_t depth, const std::vector<std::string> &kinds)
+void registerWrittenOut(const Subject &subject, const std::vector<std::string> &kinds)
 {
+    const auto &[name, title, depth, goal] = subject;
     for (const Place place : {Place::Uniform, Place::Near, Place::Pocket}) {
         for (const std::string &kind : kinds) {
             const bool isSlow = kind == "simple";
-            const std::string title = titled(name + "-" + std::to_string(depth), place, kind);
-            auto *run = benchmark::RegisterBenchmark(title, [=](benchmark::State &state) {
+            const std::string run = titled(name + "-" + std::to_string(depth), place, kind);
+            auto *registered = benchmark::RegisterBenchmark(run, [=](benchmark::State &state) {
                 closest(state, benchOf(name, depth, true), kind, place, isSlow ? 20 : 1'500);
             });
             if (isSlow) {
-                run->Iterations(3);
+                registered->Iterations(3);
             }
         }
     }
@@ -208,23 +219,26 @@ void registerDeep(const std::string &name, std::uint64_t depth)
     }
 }
 
+/// Menger one level less deep than the dissertation's, for all to hold it.
+const std::vector<Subject> subjects{{"two-sets", "two sets of 7", 3, 150}, {"tree7", "tree of 7", 5, 120},
+                                    {"mild-tree", "mild tree", 5, 25},     {"rotated-tree", "rotated tree", 7, 200},
+                                    {"uneven-scales", "uneven scales", 6}, {"appendix-b", "appendix B", 3, 60},
+                                    {"sierpinski", "Sierpinski", 8, 45},   {"menger", "Menger", 4}};
+const Subject huge{"menger", "Menger", 5};
+
 void registerAll(bool withHuge)
 {
-    const std::vector<std::string> all{"exact",  "approximate",      "bvh", "greedy", "octree", "simple",
-                                       "embree", "embree-instanced", "cgal"};
-    // Menger one level less deep than the dissertation's, for all to hold it
-    const std::vector<std::pair<std::string, std::uint64_t>> workloads{
-        {"two-sets", 3},      {"tree7", 5},      {"mild-tree", 5},  {"rotated-tree", 7},
-        {"uneven-scales", 6}, {"appendix-b", 3}, {"sierpinski", 8}, {"menger", 4}};
-    for (const auto &[name, depth] : workloads) {
-        registerWrittenOut(name, depth, all);
+    for (const Subject &subject : subjects) {
+        registerWrittenOut(
+            subject,
+            {"exact", "approximate", "bvh", "greedy", "octree", "simple", "embree", "embree-instanced", "cgal"});
     }
     if (withHuge) {
-        registerWrittenOut("menger", 5, {"exact", "approximate", "bvh", "greedy", "embree", "embree-instanced"});
+        registerWrittenOut(huge, {"exact", "approximate", "bvh", "greedy", "embree", "embree-instanced"});
     }
-    for (const auto &[name, depth] : workloads) {
-        for (const std::uint64_t deep : {5, 6, 8, 10, 20, 40}) {
-            registerDeep(name, deep);
+    for (const Subject &subject : subjects) {
+        for (const std::uint64_t depth : depths) {
+            registerDeep(subject.name, depth);
         }
     }
 }
@@ -240,12 +254,33 @@ bool takeFlag(int &argc, char **argv, const std::string &flag)
 
 }
 
+/// Beside Google Benchmark's own: --markdown writes docs/colliders.md, by rounds in random order; --huge adds what takes
+/// 10 GB.
 int main(int argc, char **argv)
 {
-    registerAll(takeFlag(argc, argv, "--huge"));
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    const bool withHuge = takeFlag(argc, argv, "--huge");
+    const bool asMarkdown = takeFlag(argc, argv, "--markdown");
+    std::vector<std::string> rounds{"--benchmark_min_time=0.1s", "--benchmark_repetitions=5",
+                                    "--benchmark_enable_random_interleaving=true"};
+    std::vector<char *> arguments(argv, argv + argc);
+    if (asMarkdown) {
+        for (std::string &argument : rounds) {
+            arguments.insert(arguments.begin() + 1, argument.data());
+        }
+    }
+    argc = static_cast<int>(arguments.size());
+    arguments.push_back(nullptr);
+    registerAll(withHuge);
+    benchmark::Initialize(&argc, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(argc, arguments.data())) {
         return 1;
     }
-    benchmark::RunSpecifiedBenchmarks();
+    if (asMarkdown) {
+        std::vector<Subject> all = subjects;
+        all.push_back(huge);
+        CollideTables tables(std::move(all));
+        benchmark::RunSpecifiedBenchmarks(&tables);
+    } else {
+        benchmark::RunSpecifiedBenchmarks();
+    }
 }

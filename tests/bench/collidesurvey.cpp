@@ -50,7 +50,8 @@ Survey survey(const Collider &collider, const Answered &truth, double reach, std
     const double share = 1.0 / static_cast<double>(count);
     const double leastCosine = std::cos(10.0 * std::numbers::pi / 180.0);
     for (std::size_t i = 0; i < count; ++i) {
-        search->closest({truth.points[i]}, hit);
+        search->closest({.p = truth.points[i], .nodeBudget = nodeBudget}, hit);
+        survey.cutOff += hit.cost.nodeVisits >= nodeBudget ? share : 0.0;
         faceTests[i] = static_cast<double>(hit.cost.faceTests);
         nodeVisits[i] = static_cast<double>(hit.cost.nodeVisits);
         if (truth.distances.empty()) {

@@ -20,6 +20,9 @@ struct Answered {
 /// As that collider answers.
 [[nodiscard]] Answered answered(const Collider &exact, std::vector<glm::dvec3> points);
 
+/// Of every query, since rare ones would not end on deep fractals; as much as physics has.
+constexpr std::uint64_t nodeBudget = 100'000;
+
 /// What answers took, and how many of them were wrong. Shares are of all answers.
 struct Survey {
     struct Cost {
@@ -36,6 +39,8 @@ struct Survey {
     double missed = 0.0;
     /// The direction is off by more than 10 degrees.
     double turned = 0.0;
+    /// Ended by the budget, of those that look at it.
+    double cutOff = 0.0;
     /// Bytes that a search held after all queries.
     std::size_t searchBytes = 0;
 };
