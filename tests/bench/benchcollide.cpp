@@ -200,7 +200,7 @@ void registerWrittenOut(const Subject &subject, const std::vector<std::string> &
                 closest(state, benchOf(name, depth, true), kind, place, isSlow ? 20 : 1'500);
             });
             if (isSlow) {
-                registered->Iterations(3);
+                registered->Iterations(3)->Repetitions(1);
             }
         }
     }
@@ -260,7 +260,7 @@ int main(int argc, char **argv)
 {
     const bool withHuge = takeFlag(argc, argv, "--huge");
     const bool asMarkdown = takeFlag(argc, argv, "--markdown");
-    std::vector<std::string> rounds{"--benchmark_min_time=0.1s", "--benchmark_repetitions=5",
+    std::vector<std::string> rounds{"--benchmark_min_time=0.05s", "--benchmark_repetitions=5",
                                     "--benchmark_enable_random_interleaving=true"};
     std::vector<char *> arguments(argv, argv + argc);
     if (asMarkdown) {

@@ -2,16 +2,19 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "embreecollider.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <vector>
 
 #include <embree4/rtcore.h>
 #include <glm/geometric.hpp>
+#include <glm/mat4x3.hpp>
 
 #include "collideworkloads.h"
 #include "core/fractal/statetable.h"
