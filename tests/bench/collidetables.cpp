@@ -16,7 +16,7 @@ constexpr const char *introduction = R"(# What colliders cost, and how far off t
 
 Written by `bench_collide`, all in one run on one core, 1,500 points of each kind a fractal (seeded; recipe in
 `tests/bench/collideworkloads.h`): *uniform* in 1.5 times the box, *near* the surface (0.1 to 5 % of the diagonal off it),
-in *pockets* (inside the box, away from the surface). Figures stand in that order. The command, which takes nine minutes
+in *pockets* (inside the box, away from the surface). Figures stand in that order. The command, which takes seven minutes
 and 8 GB:
 
 ```
