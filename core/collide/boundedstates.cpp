@@ -2,11 +2,24 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "boundedstates.h"
 
+#include <algorithm>
+#include <utility>
+
 #include <glm/geometric.hpp>
 
 namespace romanesco {
 
 namespace {
+
+/// Those left over repeat the last.
+std::vector<LanesOfPoint> inLanes(std::span<const glm::dvec3> points)
+{
+    std::vector<LanesOfPoint> lanes(blocksFor(points.size()));
+    for (std::size_t i = 0; i < lanes.size() * laneCount; ++i) {
+        setLane(lanes[i / laneCount], i % laneCount, points[std::min(i, points.size() - 1)]);
+    }
+    return lanes;
+}
 
 constexpr std::size_t mostBytes = 64'000'000;
 /// What searches keep for a child, about.
@@ -32,7 +45,10 @@ const BoundedStates::Bounds &BoundedStates::bounds(StateId state)
             bounds.box = bounds.box.with(m_boxes.at(m_graph, position));
         }
         bounds.size = bounds.box.isEmpty() ? 0.0 : glm::length(bounds.box.size());
-        m_bounds.push_back(bounds);
+        if (bounds.hulls) {
+            bounds.corners = inLanes(bounds.hulls->fine.corners);
+        }
+        m_bounds.push_back(std::move(bounds));
     }
     return m_bounds[state];
 }

@@ -13,6 +13,7 @@
 #include "core/fractal/hullbounds.h"
 #include "core/fractal/statetable.h"
 #include "descent.h"
+#include "lanes.h"
 
 namespace romanesco {
 
@@ -28,6 +29,8 @@ public:
         double size = 0.0;
         /// Null where the box is as good.
         const HullBounds::Hulls *hulls = nullptr;
+        /// The corners of the fine one.
+        std::vector<LanesOfPoint> corners = {};
     };
 
     BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls);
@@ -63,7 +66,7 @@ private:
         std::vector<DescentStep> children;
     };
     /// By state.
-    std::vector<Bounds> m_bounds;
+    std::deque<Bounds> m_bounds;
     std::deque<Known> m_known;
     std::size_t m_childCount = 0;
     std::vector<Positions> m_reached;

@@ -59,8 +59,9 @@ private:
 
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    /// Most searches end before fine hulls pay.
-    static constexpr std::uint64_t visitsBeforeFine = 64;
+    /// Most searches end before fine hulls pay, unless they go deep.
+    static constexpr std::size_t levelsBeforeFine = 8;
+    static constexpr std::uint64_t visitsBeforeFine = 32;
     /// Deeper units would not be numbers.
     static constexpr double leastUnit = 1e-290;
 
@@ -103,12 +104,15 @@ private:
     }
 
     /// Whether something at a distance, which may be off by so much, in the model's unit, can be nearer than what was found.
-    /// What is as near but for rounding is not: there may be millions of it. Only what was found is relaxed: nothing
-    /// within the radius is missed.
+    /// What is as near but for rounding is not: there may be millions of it. Errors grow on the way down, so it is that of
+    /// what was found that counts, which is at the end of one: else what is nearer by less would be gone down to where
+    /// it no longer seems so, again and again. Only what was found is relaxed: nothing within the radius is missed.
     [[nodiscard]] bool isNearer(double distance, double error) const
     {
-        return m_found == Found::Nothing ? distance - error <= m_best
-                                         : distance + error < m_best * (1.0 - 4.0 * epsilon) / (1.0 + m_excess);
+        if (m_found == Found::Nothing) {
+            return distance - error <= m_best;
+        }
+        return distance + std::max(error, m_bestFrame.error) < m_best * (1.0 - 4.0 * epsilon) / (1.0 + m_excess);
     }
 
     void drop(double distance, double error) { m_lower = std::min(m_lower, distance - error); }
@@ -131,8 +135,10 @@ private:
             raiseToHulls(node, child / laneCount);
             return;
         }
-        if (tightness == Tightness::OfCoarseHull && m_cost.nodeVisits >= visitsBeforeFine) {
-            const double finer = m_frames.fineDistanceTo(node.frame, step, *m_states.bounds(step.state).hulls);
+        if (tightness == Tightness::OfCoarseHull
+            && (m_path.size() >= levelsBeforeFine || m_cost.nodeVisits >= visitsBeforeFine)) {
+            const double finer =
+                m_frames.fineDistanceTo(node.frame, step, m_states.bounds(step.state), m_best / node.frame.unit);
             inFrame = std::max(inFrame, finer);
             tightness = Tightness::Final;
             return;

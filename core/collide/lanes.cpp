@@ -6,6 +6,8 @@
 #define HWY_TARGET_INCLUDE "core/collide/lanes.cpp"
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 
+#include <limits>
+
 #include <hwy/highway.h>
 
 #include "core/collide/lanes-inl.h"
@@ -105,6 +107,26 @@ std::size_t numberOfLeast(std::span<const double> numbers)
     return i;
 }
 
+std::size_t numberOfLeastAlong(std::span<const LanesOfPoint> points, const glm::dvec3 &direction)
+{
+    const Tag tag;
+    const Point along = same(direction);
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t lane = 0; lane < laneCount; lane += hn::Lanes(tag)) {
+            const Vector products = dot(load(points[i], lane), along);
+            const double leastHere = hn::ReduceMin(tag, products);
+            if (leastHere < least) {
+                least = leastHere;
+                const auto found = hn::FindFirstTrue(tag, hn::Eq(products, hn::Set(tag, leastHere)));
+                number = i * laneCount + lane + static_cast<std::size_t>(found);
+            }
+        }
+    }
+    return number;
+}
+
 /// along: the way from the centre, as the corners see it.
 HWY_INLINE void raise(const HullsOfFew &hulls, std::size_t lane, Vector length, const Point &along, Vector norm,
                       double *distances)
@@ -155,6 +177,7 @@ namespace romanesco {
 HWY_EXPORT(distancesToTurned);
 HWY_EXPORT(distancesToPlaced);
 HWY_EXPORT(numberOfLeast);
+HWY_EXPORT(numberOfLeastAlong);
 HWY_EXPORT(raiseToTurned);
 HWY_EXPORT(raiseToPlaced);
 
@@ -171,6 +194,11 @@ void distancesTo(std::span<const Parallelepipeds> boxes, const AffineMap &map, d
 std::size_t leastOf(std::span<const double> numbers)
 {
     return HWY_DYNAMIC_DISPATCH(numberOfLeast)(numbers);
+}
+
+std::size_t leastAlong(std::span<const LanesOfPoint> points, const glm::dvec3 &direction)
+{
+    return HWY_DYNAMIC_DISPATCH(numberOfLeastAlong)(points, direction);
 }
 
 void raiseToHulls(const HullsOfFew &hulls, const glm::dvec3 &p, double *distances)

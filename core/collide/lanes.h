@@ -57,6 +57,9 @@ void distancesTo(std::span<const Parallelepipeds> boxes, const AffineMap &map, d
 /// The number of the first least. There is one, and none is NaN.
 [[nodiscard]] std::size_t leastOf(std::span<const double> numbers);
 
+/// Which of some points, eight at a time, is the first that is least along a direction.
+[[nodiscard]] std::size_t leastAlong(std::span<const LanesOfPoint> points, const glm::dvec3 &direction);
+
 /// Convex hulls of few corners. No point of one is farther from its corners than the error.
 struct alignas(64) HullsOfFew {
     static constexpr std::size_t cornerCount = 16;

@@ -105,11 +105,29 @@ void LocalFrames::raiseToHulls(const Frame &frame, const Children &children, std
     romanesco::raiseToHulls(children.hulls[block], frame.p, distances);
 }
 
-double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls) const
+double LocalFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const BoundedStates::Bounds &bounds,
+                                   double enough) const
 {
+    struct Seen final : PointsByDirection {
+        const BoundedStates::Bounds &bounds;
+        glm::dvec3 p;
+
+        Seen(const BoundedStates::Bounds &hull, const glm::dvec3 &from)
+            : bounds(hull)
+            , p(from)
+        {
+        }
+        [[nodiscard]] glm::dvec3 leastAlong(const glm::dvec3 &direction) const override
+        {
+            const std::size_t corner = romanesco::leastAlong(bounds.corners, direction);
+            return bounds.hulls->fine.corners[std::min(corner, bounds.hulls->fine.corners.size() - 1)] - p;
+        }
+    };
     const Inverse &inverse = m_inverses[step.set][step.map];
-    const HullDistance distance = distanceToHull(hulls.fine.corners, inverse.childFromParent(frame.p));
-    return inverse.scale * (distance.least - hulls.fine.error);
+    const Seen seen(bounds, inverse.childFromParent(frame.p));
+    const double error = bounds.hulls->fine.error;
+    const glm::dvec3 first = seen.leastAlong(bounds.hulls->centre - seen.p);
+    return inverse.scale * (distanceToHull(first, seen, enough / inverse.scale + error).least - error);
 }
 
 bool LocalFrames::isBehind(const Frame &frame, const Box &box) const

@@ -69,9 +69,9 @@ public:
     void distancesTo(const Frame &frame, const Children &children, double *distances) const;
     /// Puts in the distances to the coarse hulls of a block of children, where they are farther.
     void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double *distances) const;
-    /// From p to a fine hull in the frame of a child.
+    /// From p to a fine hull in the frame of a child; not looked at more closely where it is above `enough`.
     [[nodiscard]] double fineDistanceTo(const Frame &frame, const DescentStep &step,
-                                        const HullBounds::Hulls &hulls) const;
+                                        const BoundedStates::Bounds &bounds, double enough) const;
 
     /// Whether no point of a box is ahead of p.
     [[nodiscard]] bool isBehind(const Frame &frame, const Box &box) const;

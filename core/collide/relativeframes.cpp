@@ -114,15 +114,28 @@ void RelativeFrames::raiseToHulls(const Frame &frame, const Children &children, 
     romanesco::raiseToHulls(children.hulls[block], frame.map, frame.norm, distances);
 }
 
-double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls)
+double RelativeFrames::fineDistanceTo(const Frame &frame, const DescentStep &step, const BoundedStates::Bounds &bounds,
+                                      double enough) const
 {
-    const AffineMap &inner = m_graph.set(step.set).maps[step.map];
-    m_corners.clear();
-    for (const glm::dvec3 &corner : hulls.fine.corners) {
-        m_corners.push_back(frame.map(inner(corner)));
-    }
-    return distanceToHull(m_corners, glm::dvec3(0.0)).least
-        - frame.norm * m_graph.facts(step.set)[step.map].norm * hulls.fine.error;
+    struct Placed final : PointsByDirection {
+        const BoundedStates::Bounds &bounds;
+        AffineMap map;
+
+        Placed(const BoundedStates::Bounds &hull, const AffineMap &at)
+            : bounds(hull)
+            , map(at)
+        {
+        }
+        [[nodiscard]] glm::dvec3 leastAlong(const glm::dvec3 &direction) const override
+        {
+            const std::size_t corner = romanesco::leastAlong(bounds.corners, glm::transpose(map.linear) * direction);
+            return map(bounds.hulls->fine.corners[std::min(corner, bounds.hulls->fine.corners.size() - 1)]);
+        }
+    };
+    const Placed placed(bounds, frame.map * m_graph.set(step.set).maps[step.map]);
+    const double error = frame.norm * m_graph.facts(step.set)[step.map].norm * bounds.hulls->fine.error;
+    const glm::dvec3 first = placed.leastAlong(placed.map(bounds.hulls->centre));
+    return distanceToHull(first, placed, enough + error).least - error;
 }
 
 bool RelativeFrames::isBehind(const Frame &frame, const Box &box) const

@@ -18,7 +18,7 @@ using Node = BoundLayout::Node;
 constexpr std::size_t mostNodes = 512;
 constexpr std::size_t mostCorners = 96;
 /// What corners may leave outside, of the box's diagonal.
-constexpr double tolerance = 1e-4;
+constexpr double tolerance = 1e-12;
 /// A hull that comes so near to all corners of its box is no better than that.
 constexpr double likeBox = 0.02;
 

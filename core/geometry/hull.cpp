@@ -117,27 +117,18 @@ private:
 
 }
 
-HullDistance distanceToHull(std::span<const glm::dvec3> points, const glm::dvec3 &p)
+HullDistance distanceToHull(const glm::dvec3 &first, const PointsByDirection &points, double enough)
 {
-    assert(!points.empty() && "nothing is not far from anywhere");
     constexpr int mostSteps = 64;
-    constexpr double closeEnough = 1e-13;
-    Simplex simplex(points.front() - p);
+    constexpr double closeEnough = 4.0 * std::numeric_limits<double>::epsilon();
+    Simplex simplex(first);
     double least = 0.0;
     for (int step = 0; step < mostSteps; ++step) {
         const glm::dvec3 way = simplex.nearest();
         const double length = glm::length(way);
-        glm::dvec3 farthest(0.0);
-        double reach = infinity;
-        for (const glm::dvec3 &point : points) {
-            const double along = glm::dot(way, point - p);
-            if (along < reach) {
-                reach = along;
-                farthest = point - p;
-            }
-        }
-        least = length > 0.0 ? std::max(least, reach / length) : 0.0;
-        if (length - least <= closeEnough * length || !simplex.add(farthest)) {
+        const glm::dvec3 point = points.leastAlong(way);
+        least = length > 0.0 ? std::max(least, glm::dot(way, point) / length) : 0.0;
+        if (length - least <= closeEnough * length || least > enough || !simplex.add(point)) {
             break;
         }
         if (simplex.nearest() == glm::dvec3(0.0)) {
@@ -146,6 +137,37 @@ HullDistance distanceToHull(std::span<const glm::dvec3> points, const glm::dvec3
         }
     }
     return {least, std::max(least, glm::length(simplex.nearest()))};
+}
+
+namespace {
+
+class SeenPoints final : public PointsByDirection
+{
+public:
+    SeenPoints(std::span<const glm::dvec3> points, const glm::dvec3 &p)
+        : m_points(points)
+        , m_p(p)
+    {
+    }
+
+    [[nodiscard]] glm::dvec3 leastAlong(const glm::dvec3 &direction) const override
+    {
+        return *std::ranges::min_element(m_points, {}, [&](const glm::dvec3 &point) {
+            return glm::dot(direction, point - m_p);
+        }) - m_p;
+    }
+
+private:
+    std::span<const glm::dvec3> m_points;
+    glm::dvec3 m_p;
+};
+
+}
+
+HullDistance distanceToHull(std::span<const glm::dvec3> points, const glm::dvec3 &p, double enough)
+{
+    assert(!points.empty() && "nothing is not far from anywhere");
+    return distanceToHull(points.front() - p, SeenPoints(points, p), enough);
 }
 
 Hull thinned(std::span<const glm::dvec3> points, std::size_t mostCorners, double tolerance)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,9 +28,24 @@ struct HullDistance {
 
 /// From p to the convex hull of points, of which there must be one. Gilbert, Johnson and Keerthi 1988; least is proved by
 /// a plane across the way to the point that was found, so that it holds but for rounding whatever was found; the two
-/// seldom differ by more than 1e-12 of the distance. Cost: half a dozen products for each point and some hundred
-/// nanoseconds. Coordinates up to 1e150.
-[[nodiscard]] HullDistance distanceToHull(std::span<const glm::dvec3> points, const glm::dvec3 &p);
+/// seldom differ by more than 1e-12 of the distance. Cost: some steps of half a dozen products for each point and a
+/// hundred nanoseconds. Where it is proved to be above `enough` it is not looked at more closely. Coordinates up to 1e150.
+[[nodiscard]] HullDistance distanceToHull(std::span<const glm::dvec3> points, const glm::dvec3 &p,
+                                          double enough = std::numeric_limits<double>::infinity());
+
+/// Points that are known by which of them is least along a direction.
+class PointsByDirection
+{
+public:
+    [[nodiscard]] virtual glm::dvec3 leastAlong(const glm::dvec3 &direction) const = 0;
+
+protected:
+    ~PointsByDirection() = default;
+};
+
+/// From the origin to the convex hull of points, of which `first` is one.
+[[nodiscard]] HullDistance distanceToHull(const glm::dvec3 &first, const PointsByDirection &points,
+                                          double enough = std::numeric_limits<double>::infinity());
 
 /// A hull with at most so many corners, each one of the points, the next always the one that is farthest outside; the
 /// points are within its error. Fewer where more corners make no difference above the tolerance.

@@ -72,6 +72,7 @@ private Q_SLOTS:
     void itFindsTheNearestOfAllFaces();
     void similaritiesAreSearchedInTheirFrames();
     void bothWaysAgree();
+    void whatIsAsNearButForRoundingIsNotFollowed();
     void whatIsVeryFarIsFound();
     void whatIsRoundedMoreIsBoundedByMore();
     void nothingBeyondTheRadiusCounts();
@@ -172,6 +173,26 @@ void TestExactCollider::bothWaysAgree()
             QVERIFY(std::max(one.lower, other.lower) <= std::min(one.distance, other.distance) * (1 + 1e-15));
         }
     }
+}
+
+/// An edge is as far from a point as its nearest copy is, over the more of them the smaller they are: ten thousand nodes
+/// and more where each is gone down to.
+void TestExactCollider::whatIsAsNearButForRoundingIsNotFollowed()
+{
+    const Sample fractal = sample(QStringLiteral("tree7"), 40, workloads);
+    const BoxBounds boxes(fractal.graph, fractal.mesh);
+    const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh);
+    const auto search = collider->search();
+    const Box box = boxes.at(fractal.graph, 0);
+    std::mt19937_64 random(60);
+    std::uint64_t most = 0;
+    for (int i = 0; i < 3'000; ++i) {
+        Hit hit;
+        const glm::dvec3 p = box.centre() + 1.5 * randomPoint(random, 1.0) * 0.5 * box.size();
+        search->closest({.p = p, .nodeBudget = 100'000}, hit);
+        most = std::max(most, hit.cost.nodeVisits);
+    }
+    QVERIFY2(most < 1'000, qPrintable(QString::number(most)));
 }
 
 /// As far as squares go, also in the frames of very small copies.

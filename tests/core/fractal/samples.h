@@ -22,19 +22,23 @@ struct Sample {
     FractalGraph graph;
 };
 
-inline std::string exampleText(const QString &file)
+const QString examples = QStringLiteral("/resources/examples/");
+/// Those of the benchmarks.
+const QString workloads = QStringLiteral("/tests/data/collide/");
+
+inline std::string exampleText(const QString &file, const QString &folder = examples)
 {
-    QFile source(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/") + file);
+    QFile source(QStringLiteral(ROMANESCO_SOURCE_DIR) + folder + file);
     return source.open(QIODevice::ReadOnly) ? source.readAll().toStdString() : std::string();
 }
 
-inline Sample sample(const QString &name, std::uint64_t depth)
+inline Sample sample(const QString &name, std::uint64_t depth, const QString &folder = examples)
 {
-    std::string text = exampleText(name + QStringLiteral(".fdo"));
+    std::string text = exampleText(name + QStringLiteral(".fdo"), folder);
     const SourceRange digits = readFdo(text).description.value().depth.value().range;
     text.replace(digits.begin, digits.length(), std::to_string(depth));
     FractalDescription description = readFdo(text).description.value();
-    Mesh mesh = readObj(exampleText(QString::fromStdString(description.meshPath))).mesh;
+    Mesh mesh = readObj(exampleText(QString::fromStdString(description.meshPath), folder)).mesh;
     FractalGraph graph = FractalGraph::build(description, boundingSphere(mesh)).value();
     return {std::move(description), std::move(mesh), std::move(graph)};
 }

@@ -287,7 +287,7 @@ void TestHullBounds::sharedHullsHoldTheImagesOfOneAnother()
 void TestHullBounds::coarseHullsHaveTheErrorsOfFineOnes()
 {
     Mesh mesh;
-    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1e-4}};
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, 0.3, -1e-12}};
     mesh.faces.push_back({0, 1, 2});
     mesh.faces.push_back({0, 1, 3});
     mesh.faces.push_back({0, 1, 4});
@@ -296,7 +296,7 @@ void TestHullBounds::coarseHullsHaveTheErrorsOfFineOnes()
     const HullBounds hulls(graph, boxes, mesh);
     const HullBounds::Hulls &hull = *hulls.at(graph, 0);
     QCOMPARE(hull.fine.corners.size(), std::size_t{4});
-    QVERIFY(holds(hull, {0.3L, 0.3L, -1e-4L}, {glm::dvec3(0, 0, -1)}));
+    QVERIFY(holds(hull, {0.3L, 0.3L, -1e-12L}, {glm::dvec3(0, 0, -1)}));
 }
 }
 
