@@ -24,8 +24,8 @@ namespace romanesco {
 /// Finds the nearest face of a graph's copies by going down into the nearest box first, past those that are no nearer than
 /// what was found (Land and Doig 1960). Frames say how: LocalFrames or RelativeFrames.
 ///
-/// A branch that is too small for p to tell its points apart is not gone down further: the middle of its box is found
-/// then, without a face. Every distance that is dropped is kept in mind, as the bound below which nothing is.
+/// A branch that is too small for p to tell its points apart, or for the excess to matter, is not gone down further: the
+/// middle of its box is found then, without a face. Every distance that is dropped is kept in mind, as the bound below which nothing is.
 template<typename Frames>
 class BranchAndBound final : public Search
 {
@@ -170,7 +170,9 @@ private:
         }
         const double size = m_frames.sizeOf(frame, bounds) * frame.unit;
         if (size <= std::max(epsilon / 2.0 * distance, frame.error) || frame.unit < leastUnit) {
-            settle(step, frame, bounds.box, distance);
+            settle(step, frame, bounds.box, distance, distance);
+        } else if (size <= m_excess * distance && distance + size < m_best && !m_isMoving) {
+            settle(step, frame, bounds.box, distance, distance + size);
         } else {
             m_path.push_back(step);
             visit(step, frame);
@@ -187,13 +189,13 @@ private:
         }
     }
 
-    /// All points of the branch are alike, seen from p.
-    void settle(const DescentStep &step, const Frame &frame, const Box &box, double distance)
+    /// All points of the branch are alike, seen from p: no nearer than the least distance, at most as far as the greatest.
+    void settle(const DescentStep &step, const Frame &frame, const Box &box, double least, double greatest)
     {
         ++m_cost.nodeVisits;
-        drop(distance, frame.error);
-        if (m_found == Found::Nothing ? distance <= m_best : distance < m_best) {
-            m_best = distance;
+        drop(least, frame.error);
+        if (m_found == Found::Nothing ? greatest <= m_best : greatest < m_best) {
+            m_best = greatest;
             m_found = Found::Branch;
             m_bestFrame = frame;
             m_bestBox = box;

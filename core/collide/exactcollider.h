@@ -24,9 +24,10 @@ namespace romanesco {
 /// is exact in any case.
 ///
 /// `distance` and `lower` differ by rounding: some units in the last place of the distance for each level that was gone
-/// down, and of the coordinates of p. A branch that is smaller than that is not gone down: it is found as a whole, its
-/// address is where it begins, and there is no face. Below 1e-140, where squares are no numbers of all digits, distances
-/// of fractals that are no larger themselves are not to be trusted.
+/// down, and of the coordinates of p. A branch that is smaller than that, or than the excess in parts of its distance, is
+/// not gone down: it is found as a whole, its address is where it begins, and there is no face; the point is no farther
+/// from the surface than the branch is large, and the distance may be as much too small. Below 1e-140, where squares are
+/// no numbers of all digits, distances of fractals that are no larger themselves are not to be trusted.
 ///
 /// Where all maps are similarities p is taken into the frame of each copy; else copies are bounded by their parallelepipeds
 /// seen from p, at two or three times the cost.

@@ -77,6 +77,7 @@ private Q_SLOTS:
     void whatIsRoundedMoreIsBoundedByMore();
     void nothingBeyondTheRadiusCounts();
     void anExcessIsKept();
+    void anExcessEndsTheWayDown();
     void aSpentBudgetIsAdmitted();
     void aSpongeCostsItsDepth();
     void deepFractalsAreSearchedToTheirPoints_data();
@@ -296,7 +297,7 @@ void TestExactCollider::anExcessIsKept()
                 const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh, excess);
                 Hit hit;
                 collider->search()->closest({p}, hit);
-                QVERIFY(hit.distance >= truth.distance * (1 - 1e-14));
+                QVERIFY(hit.distance >= truth.distance * (1 - excess) * (1 - 1e-14));
                 QVERIFY(hit.distance <= truth.distance * (1 + excess) * (1 + 1e-14));
                 QVERIFY(hit.lower <= truth.distance * (1 + 1e-15)
                         && hit.lower * (1 + 2 * excess) >= hit.distance * (1 - 1e-12));
@@ -308,6 +309,25 @@ void TestExactCollider::anExcessIsKept()
         QVERIFY(visits < exactVisits);
         QVERIFY(worst > 1e-3); // else nothing is traded
     }
+}
+
+/// What is smaller than the excess is not looked at: how deep it goes makes no difference.
+void TestExactCollider::anExcessEndsTheWayDown()
+{
+    std::mt19937_64 random(61);
+    std::array<std::uint64_t, 2> visits{};
+    for (const std::size_t deeper : {0, 1}) {
+        const Sample fractal = sample(QStringLiteral("sierpinski"), deeper == 0 ? 20 : 200, workloads);
+        const BoxBounds boxes(fractal.graph, fractal.mesh);
+        const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh, 1e-3);
+        for (int i = 0; i < 100; ++i) {
+            Hit hit;
+            collider->search()->closest({randomPoint(random, 3.0)}, hit);
+            visits[deeper] += hit.cost.nodeVisits;
+            QVERIFY(hit.isFound() && hit.promise == Promise::Within);
+        }
+    }
+    QVERIFY(2 * visits[1] < 3 * visits[0]);
 }
 
 void TestExactCollider::aSpentBudgetIsAdmitted()

@@ -212,7 +212,9 @@ void TestSceneCollider::itFindsTheNearestOfAllItems()
                 continue;
             }
             if (proves) {
-                QVERIFY2(hit.distance >= least - rounding && hit.distance <= least * (1 + excess) + rounding, words());
+                QVERIFY2(hit.distance >= least * (1 - excess) - rounding
+                             && hit.distance <= least * (1 + excess) + rounding,
+                         words());
                 QVERIFY2(hit.lower <= least * (1 + 1e-15), words());
                 QVERIFY2(hit.distance - hit.lower * (1 + 2 * excess) <= 100 * rounding, words());
                 QVERIFY(hit.promise == (excess > 0 ? Promise::Within : Promise::Exact) && hit.excess == excess);
@@ -222,7 +224,9 @@ void TestSceneCollider::itFindsTheNearestOfAllItems()
             }
             if (kind != Kind::Octree) {
                 QVERIFY(written.items.at(search.item()).kind != ItemKind::Ball);
-                QVERIFY2(static_cast<double>(written.distanceToItem(search.item(), hit.point)) <= rounding, words());
+                QVERIFY2(static_cast<double>(written.distanceToItem(search.item(), hit.point))
+                             <= excess * hit.distance + rounding,
+                         words());
             }
             QVERIFY(std::abs(glm::distance(hit.point, p) - hit.distance) <= rounding);
             QVERIFY(std::abs(glm::length(hit.direction) - 1) < 1e-14);
