@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <glm/geometric.hpp>
 
 namespace romanesco {
 
@@ -123,44 +124,67 @@ struct Solver {
                      combination(T(1), vertices[(best + 2) % 3], T(-1), vertices[best]));
     }
 
-    /// What the plane across a direction proves: no point of the triangle is nearer.
-    T boundAlong(const V &direction) const
+    /// That no point of the triangle is nearer than this, as the plane across a direction proves.
+    struct Bound {
+        T distance{0};
+        V direction{};
+    };
+
+    void improve(Bound &bound, const V &direction) const
     {
         const T square = dot(direction, direction);
         if (!(square > shortest)) { // a length of few digits would make the bound too high
-            return T(0);
+            return;
         }
         const T least =
             std::min({dot(direction, vertices[0]), dot(direction, vertices[1]), dot(direction, vertices[2])});
         using std::sqrt;
-        return least / sqrt(square);
+        const T distance = least / sqrt(square);
+        if (distance > bound.distance) {
+            bound = {distance, direction};
+        }
     }
 
-    T lower(const V &answer) const
+    Bound bound(const V &answer) const
     {
+        Bound best;
         const V n = normal();
-        const V opposite = combination(T(-1), n, T(0), n);
-        return std::max({boundAlong(answer), boundAlong(n), boundAlong(opposite), T(0)});
+        improve(best, answer);
+        improve(best, n);
+        improve(best, combination(T(-1), n, T(0), n));
+        return best;
     }
 
     /// The same for an answer on an edge that is near: the way to it is rounded along the edge, and an edge is long.
-    T lowerAcrossEdges(const V &answer) const
+    void improveAcrossEdges(Bound &bound, const V &answer) const
     {
-        T best(0);
         for (std::size_t i = 0; i < 3; ++i) {
             const V along = combination(T(1), vertices[(i + 1) % 3], T(-1), vertices[i]);
             const T square = dot(along, along);
             if (square > 0) {
-                best = std::max(best, boundAlong(combination(T(1), answer, T(-dot(answer, along) / square), along)));
+                improve(bound, combination(T(1), answer, T(-dot(answer, along) / square), along));
             }
         }
-        return best;
     }
 };
 
+template<typename T>
+glm::dvec3 toDouble(const Vector<T> &v)
+{
+    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
-ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p)
+/// In units of 2^exponent.
+struct Solution {
+    glm::dvec3 offset{0.0};
+    double distance = 0.0;
+    double lower = 0.0;
+    /// Across which a plane proves the lower one; of any length, 0 where none does.
+    glm::dvec3 direction{0.0};
+    int exponent = 0;
+};
+
+Solution solve(const Triangle &triangle, const glm::dvec3 &p)
 {
     Solver<double> solver;
     double size = 0.0;
@@ -174,7 +198,7 @@ ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p)
     }
     assert(std::isfinite(size) && "coordinates are finite and their differences too");
     if (size == 0.0) {
-        return {p, 0.0, 0.0};
+        return {};
     }
     int exponent = 0;
     (void)std::frexp(size, &exponent);
@@ -185,25 +209,40 @@ ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p)
     }
 
     const double unit = unitRoundoff * std::ldexp(size, -exponent);
-    Vector<double> answer = solver.closest();
-    double distance = length(answer);
-    double lower = solver.lower(answer) - certificateError * unit;
-    if (distance - lower > largestGap * unit) {
-        lower = std::max(lower, solver.lowerAcrossEdges(answer) - certificateError * unit);
+    const Vector<double> answer = solver.closest();
+    const double distance = length(answer);
+    auto bound = solver.bound(answer);
+    const auto isProved = [&] { return distance - (bound.distance - certificateError * unit) <= largestGap * unit; };
+    if (!isProved()) {
+        solver.improveAcrossEdges(bound, answer);
     }
-    if (distance - lower > largestGap * unit) {
+    if (!isProved()) {
         Solver<Quad> exact;
         for (std::size_t i = 0; i < 3; ++i) {
             std::ranges::copy(solver.vertices[i], exact.vertices[i].begin());
         }
         const Vector<Quad> better = exact.closest();
-        std::ranges::transform(better, answer.begin(), [](const Quad &value) { return static_cast<double>(value); });
-        distance = static_cast<double>(length(better));
-        lower = static_cast<double>(exact.lower(better)) - certificateError * unit;
+        const auto proved = exact.bound(better);
+        return {toDouble(better), static_cast<double>(length(better)),
+                static_cast<double>(proved.distance) - certificateError * unit, toDouble(proved.direction), exponent};
     }
-    const glm::dvec3 offset(answer[0], answer[1], answer[2]);
-    return {p + std::ldexp(1.0, exponent) * offset, std::ldexp(distance, exponent),
-            std::max(std::ldexp(lower, exponent), 0.0)};
+    return {toDouble(answer), distance, bound.distance - certificateError * unit, toDouble(bound.direction), exponent};
+}
+
+}
+
+ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p)
+{
+    const Solution found = solve(triangle, p);
+    return {p + std::ldexp(1.0, found.exponent) * found.offset, std::ldexp(found.distance, found.exponent),
+            std::max(std::ldexp(found.lower, found.exponent), 0.0)};
+}
+
+glm::dvec3 separatingDirection(const Triangle &triangle, const glm::dvec3 &p)
+{
+    const glm::dvec3 direction = solve(triangle, p).direction;
+    const double size = glm::length(direction);
+    return size > 0.0 ? direction / size : direction;
 }
 
 }

@@ -32,4 +32,8 @@ struct ClosestPoint {
 /// Precondition: all coordinates are finite and at most 1e300. Thread-safe.
 [[nodiscard]] ClosestPoint closestPoint(const Triangle &triangle, const glm::dvec3 &p);
 
+/// The direction from p across which a plane proves that `lower`: no n·(vertex − p) is below it, but for 16·u·M. Of
+/// length 1; 0 where nothing above 0 is proved. Cost and preconditions are those of closestPoint().
+[[nodiscard]] glm::dvec3 separatingDirection(const Triangle &triangle, const glm::dvec3 &p);
+
 }

@@ -136,7 +136,7 @@ HullDistance distanceToHull(const glm::dvec3 &first, const PointsByDirection &po
             break;
         }
     }
-    return {least, std::max(least, glm::length(simplex.nearest()))};
+    return {least, std::max(least, glm::length(simplex.nearest())), simplex.nearest()};
 }
 
 namespace {

@@ -20,10 +20,11 @@ struct Hull {
     [[nodiscard]] bool isEmpty() const { return corners.empty(); }
 };
 
-/// Bounds of a distance.
+/// Bounds of a distance, and the way to a point that is as far as the greater one.
 struct HullDistance {
     double least = 0.0;
     double greatest = 0.0;
+    glm::dvec3 way{0.0};
 };
 
 /// From p to the convex hull of points, of which there must be one. Gilbert, Johnson and Keerthi 1988; least is proved by

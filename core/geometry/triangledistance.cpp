@@ -93,7 +93,7 @@ Nearest nearestToOrigin(const glm::dvec3 &a, const glm::dvec3 &b, const glm::dve
 
 }
 
-std::optional<TriangleDistance> quickDistance(const Triangle &triangle, const glm::dvec3 &p)
+std::optional<TriangleSeparation> quickSeparation(const Triangle &triangle, const glm::dvec3 &p)
 {
     const glm::dvec3 a = triangle[0] - p;
     const glm::dvec3 b = triangle[1] - p;
@@ -107,11 +107,22 @@ std::optional<TriangleDistance> quickDistance(const Triangle &triangle, const gl
     const double square = glm::dot(direction, direction);
     const double beyond = std::min({glm::dot(direction, a), glm::dot(direction, b), glm::dot(direction, c)});
     const double gap = largestGap * unitRoundoff * size;
+    const TriangleDistance found{distance, largestError * unitRoundoff * size};
+    if (distance <= gap) {
+        return TriangleSeparation{found};
+    }
+    const double length = std::sqrt(square);
     // both false for NaN
-    if (distance <= gap || (square >= leastSquare && (distance - gap) * std::sqrt(square) <= beyond)) {
-        return TriangleDistance{distance, largestError * unitRoundoff * size};
+    if (square >= leastSquare && (distance - gap) * length <= beyond) {
+        return TriangleSeparation{found, direction / length};
     }
     return std::nullopt;
+}
+
+std::optional<TriangleDistance> quickDistance(const Triangle &triangle, const glm::dvec3 &p)
+{
+    const auto found = quickSeparation(triangle, p);
+    return found ? std::optional(found->distance) : std::nullopt;
 }
 
 TriangleDistance distanceTo(const Triangle &triangle, const glm::dvec3 &p)

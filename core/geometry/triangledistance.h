@@ -25,6 +25,14 @@ struct TriangleDistance {
 /// Precondition: all coordinates are finite and at most 1e300. Thread-safe.
 [[nodiscard]] std::optional<TriangleDistance> quickDistance(const Triangle &triangle, const glm::dvec3 &p);
 
+/// A distance with the plane that proves it.
+struct TriangleSeparation {
+    TriangleDistance distance;
+    /// Of length 1: no n·(vertex − p) is below the distance but for its error. 0 where the distance is no more than that.
+    glm::dvec3 direction{0.0};
+};
+[[nodiscard]] std::optional<TriangleSeparation> quickSeparation(const Triangle &triangle, const glm::dvec3 &p);
+
 /// The same for every triangle: by closestPoint() where the quick way proves nothing.
 [[nodiscard]] TriangleDistance distanceTo(const Triangle &triangle, const glm::dvec3 &p);
 
