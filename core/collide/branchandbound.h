@@ -27,7 +27,7 @@ namespace romanesco {
 /// A branch that is too small for p to tell its points apart, or for the excess to matter, is not gone down further: the
 /// middle of its box is found then, without a face. Every distance that is dropped is kept in mind, as the bound below which nothing is.
 template<typename Frames>
-class BranchAndBound final : public Search
+class BranchAndBound final
 {
 public:
     /// All must outlive it. excess: how much farther than the least a distance may be, in parts of it.
@@ -40,7 +40,7 @@ public:
     {
     }
 
-    void closest(const Query &query, Hit &hit) override
+    void closest(const Query &query, Hit &hit)
     {
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
@@ -217,23 +217,7 @@ private:
         std::fill(m_distances.begin() + static_cast<std::ptrdiff_t>(first + known.children.size()), m_distances.end(),
                   infinity);
         m_tightness.insert(m_tightness.end(), known.tightness.begin(), known.tightness.end());
-        leaveOut(m_nodes.back());
-    }
-
-    /// What stands where something else does.
-    void leaveOut(const Node &node)
-    {
-        if (m_path.empty()) {
-            return;
-        }
-        for (const auto &[set, map] : m_products.leftOutAfter(m_path.back().set, m_path.back().map)) {
-            const auto child = std::ranges::find_if(
-                node.known->children, [&](const DescentStep &step) { return step.set == set && step.map == map; });
-            if (child != node.known->children.end()) {
-                m_distances[node.firstDistance + static_cast<std::size_t>(child - node.known->children.begin())] =
-                    infinity;
-            }
-        }
+        m_products.leaveOut(m_path, known.children, m_distances.data() + first);
     }
 
     const Known &knownOf(StateId state)

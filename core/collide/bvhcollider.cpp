@@ -4,7 +4,9 @@
 
 #include <cassert>
 
+#include "facesweep.h"
 #include "nearest.h"
+#include "sweeping.h"
 #include "treesearch.h"
 
 namespace romanesco {
@@ -17,6 +19,7 @@ public:
     BvhSearch(const Mesh &mesh, const FaceTree &tree)
         : m_mesh(mesh)
         , m_tree(mesh, tree)
+        , m_sweep(mesh, tree)
     {
     }
 
@@ -38,9 +41,24 @@ public:
         }
     }
 
+    void sweep(const Sweep &sweep, Touch &touch) override
+    {
+        const Path path(sweep);
+        SweptFace found;
+        m_sweep.sweep(path.start, path.sphere, path.length, path.slack, found);
+        clear(touch);
+        touch.cost = {found.faceTests, found.nodeVisits};
+        if (found.face != Mesh::none) {
+            touch.face = found.face;
+            place(touch, path, found.way, found.triangle);
+        }
+        prove(touch, path, found.lower, sweep);
+    }
+
 private:
     const Mesh &m_mesh;
     TreeSearch m_tree;
+    FaceSweep m_sweep;
 };
 
 }

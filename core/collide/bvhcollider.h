@@ -11,6 +11,9 @@ namespace romanesco {
 /// 64·u·M apart, with u = 2^-53 and M the greatest distance along an axis to a vertex of the faces that were looked at;
 /// what is told apart by less is decided by rounding, then by the face's number, never by the tree.
 ///
+/// Sweeps are bounded by boxes, which are as good as the sphere is large beside them: `lower` is proved, and no other face
+/// is touched before `time` but by less than Touch tells.
+///
 /// A query costs about a microsecond where 10^5 faces are spread out, and never allocates. Where many faces are equally
 /// far, all of those are looked at.
 class BvhCollider final : public Collider

@@ -129,6 +129,21 @@ void EqualProducts::compare(std::vector<Product> &products, SetId first, SetId s
     }
 }
 
+void EqualProducts::leaveOut(std::span<const DescentStep> path, std::span<const DescentStep> children,
+                             double *numbers) const
+{
+    if (path.empty()) {
+        return;
+    }
+    for (const auto &[set, map] : leftOutAfter(path.back().set, path.back().map)) {
+        const auto child =
+            std::ranges::find_if(children, [&](const DescentStep &step) { return step.set == set && step.map == map; });
+        if (child != children.end()) {
+            numbers[child - children.begin()] = std::numeric_limits<double>::infinity();
+        }
+    }
+}
+
 std::size_t EqualProducts::memoryUse() const
 {
     std::size_t bytes = m_leftOut.capacity() * sizeof(m_leftOut.front());

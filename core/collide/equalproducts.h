@@ -9,6 +9,7 @@
 
 #include "core/fractal/boxbounds.h"
 #include "core/fractal/fractalgraph.h"
+#include "descent.h"
 
 namespace romanesco {
 
@@ -40,6 +41,9 @@ public:
     [[nodiscard]] double error() const { return 64.0 * m_farthest; }
 
     [[nodiscard]] std::size_t memoryUse() const;
+
+    /// Puts infinity in place of the numbers of those children of a state that need not follow the last step of a path.
+    void leaveOut(std::span<const DescentStep> path, std::span<const DescentStep> children, double *numbers) const;
 
 private:
     struct Product;

@@ -6,9 +6,34 @@
 #include <utility>
 
 #include "branchandbound.h"
+#include "localsweep.h"
 #include "relativeframes.h"
+#include "relativesweep.h"
+#include "sweepsearch.h"
 
 namespace romanesco {
+
+namespace {
+
+template<typename Closest, typename First>
+class ExactSearch final : public Search
+{
+public:
+    ExactSearch(Closest closest, First first)
+        : m_closest(std::move(closest))
+        , m_first(std::move(first))
+    {
+    }
+
+    void closest(const Query &query, Hit &hit) override { m_closest.closest(query, hit); }
+    void sweep(const Sweep &sweep, Touch &touch) override { m_first.sweep(sweep, touch); }
+
+private:
+    Closest m_closest;
+    First m_first;
+};
+
+}
 
 ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, FaceTree tree,
                              double excess)
@@ -36,19 +61,25 @@ std::expected<ExactCollider, std::string> ExactCollider::create(const FractalGra
 
 std::unique_ptr<Search> ExactCollider::search() const
 {
-    if (m_inverses) {
-        return std::make_unique<BranchAndBound<LocalFrames>>(m_graph, m_boxes, m_hulls, m_products,
-                                                             LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces),
-                                                             m_excess);
+    if (!m_inverses) {
+        return searchPlaced({});
     }
-    return searchPlaced({});
+    using Closest = BranchAndBound<LocalFrames>;
+    using First = SweepSearch<LocalSweep>;
+    return std::make_unique<ExactSearch<Closest, First>>(
+        Closest(m_graph, m_boxes, m_hulls, m_products, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces),
+                m_excess),
+        First(m_graph, m_boxes, m_hulls, m_products, LocalSweep(m_graph, *m_inverses, m_mesh, m_tree, m_faces)));
 }
 
 std::unique_ptr<Search> ExactCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
-    return std::make_unique<BranchAndBound<RelativeFrames>>(
-        m_graph, m_boxes, m_hulls, m_products, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel),
-        m_excess);
+    using Closest = BranchAndBound<RelativeFrames>;
+    using First = SweepSearch<RelativeSweep>;
+    return std::make_unique<ExactSearch<Closest, First>>(
+        Closest(m_graph, m_boxes, m_hulls, m_products, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel),
+                m_excess),
+        First(m_graph, m_boxes, m_hulls, m_products, RelativeSweep(m_graph, m_mesh, m_tree, m_faces, worldFromModel)));
 }
 
 std::size_t ExactCollider::memoryUse() const

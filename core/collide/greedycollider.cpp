@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cassert>
 #include <format>
+#include <optional>
 
 #include "nearest.h"
+#include "sweeping.h"
 
 namespace romanesco {
 
@@ -60,42 +62,94 @@ public:
 
     void closest(const Query &query, Hit &hit) override
     {
-        const LevelSequence &levels = m_collider.m_graph.levels();
-        hit.address.clear();
-        hit.cost = {};
-        AffineMap worldFromStep = m_worldFromModel;
+        clear(hit);
         NearestFace nearest(m_collider.m_mesh, query);
-        if (levels.levelCount() == 0) {
-            nearest.consider(worldFromStep, NearestFace::Counted::Ahead, m_vertices);
+        if (m_collider.m_graph.levels().levelCount() == 0) {
+            nearest.consider(m_worldFromModel, NearestFace::Counted::Ahead, m_vertices);
         }
-        for (Position position = 0; position < levels.levelCount();) {
-            const LevelSequence::Location at = levels.locate(position);
-            const Maps &iteration = m_collider.m_ofIteration[at.repeat];
-            const Maps &maps = iteration.empty() ? m_collider.m_ofSlot[at.slot] : iteration;
-            const Position end = position + (iteration.empty() ? 1 : levels.repeats()[at.repeat].passLength);
-
-            assert(!maps.empty() && "a level has a map or #");
-            nearest.restart();
-            if (query.stop.stop_requested()) {
-                break; // what an earlier step found need not be there in the end
-            }
-            // the way down is to what is nearest in any case
-            const auto counted = end == levels.levelCount() ? NearestFace::Counted::Ahead : NearestFace::Counted::All;
-            std::size_t chosen = 0;
-            for (std::size_t i = 0; i < maps.size(); ++i) {
-                if (nearest.consider(worldFromStep * maps[i], counted, m_vertices)) {
-                    chosen = i;
-                }
-            }
-            worldFromStep = worldFromStep * maps[chosen];
-            appendPicks(position, end, chosen, hit.address);
-            ++hit.cost.nodeVisits;
-            position = end;
+        const bool isAtEnd =
+            descend(query.stop, hit, [&](const Maps &maps, const AffineMap &worldFromStep, bool isLast) {
+                nearest.restart();
+                // the way down is to what is nearest in any case
+                const auto counted = isLast ? NearestFace::Counted::Ahead : NearestFace::Counted::All;
+                return lastOf(maps, worldFromStep,
+                              [&](const AffineMap &map) { return nearest.consider(map, counted, m_vertices); })
+                    .value_or(0);
+            });
+        if (!isAtEnd) {
+            nearest.restart(); // what an earlier step found need not be there in the end
         }
         report(nearest, query, Promise::UpperBound, hit);
     }
 
+    void sweep(const Sweep &sweep, Touch &touch) override
+    {
+        clear(touch);
+        const Path path(sweep);
+        FirstTouch first(m_collider.m_mesh, path);
+        if (m_collider.m_graph.levels().levelCount() == 0) {
+            first.consider(m_worldFromModel, m_vertices);
+        }
+        const bool isAtEnd = descend(sweep.stop, touch, [&](const Maps &maps, const AffineMap &worldFromStep, bool) {
+            first.restart();
+            const auto isFirst = [&](const AffineMap &map) { return first.consider(map, m_vertices); };
+            if (const auto chosen = lastOf(maps, worldFromStep, isFirst)) {
+                return *chosen;
+            }
+            const Query fromStart{.p = sweep.p};
+            NearestFace nearest(m_collider.m_mesh, fromStart);
+            return lastOf(maps, worldFromStep,
+                          [&](const AffineMap &map) {
+                              return nearest.consider(map, NearestFace::Counted::All, m_vertices);
+                          })
+                .value_or(0);
+        });
+        if (!isAtEnd) {
+            first.restart();
+        }
+        first.report(sweep, touch);
+        touch.promise = Promise::UpperBound;
+        touch.lower = 0.0;
+    }
+
 private:
+    /// From step to step: choose() says which transformation to go on in. Whether it came to the end.
+    template<typename Choose>
+    bool descend(const std::stop_token &stop, SurfacePoint &found, const Choose &choose)
+    {
+        const LevelSequence &levels = m_collider.m_graph.levels();
+        AffineMap worldFromStep = m_worldFromModel;
+        for (Position position = 0; position < levels.levelCount();) {
+            if (stop.stop_requested()) {
+                return false;
+            }
+            const LevelSequence::Location at = levels.locate(position);
+            const Maps &iteration = m_collider.m_ofIteration[at.repeat];
+            const Maps &maps = iteration.empty() ? m_collider.m_ofSlot[at.slot] : iteration;
+            const Position end = position + (iteration.empty() ? 1 : levels.repeats()[at.repeat].passLength);
+            assert(!maps.empty() && "a level has a map or #");
+            const std::size_t chosen = choose(maps, worldFromStep, end == levels.levelCount());
+            worldFromStep = worldFromStep * maps[chosen];
+            appendPicks(position, end, chosen, found.address);
+            ++found.cost.nodeVisits;
+            position = end;
+        }
+        return true;
+    }
+
+    /// The last whose base mesh is better than those before; none where none counts.
+    template<typename IsBetter>
+    static std::optional<std::size_t> lastOf(const Maps &maps, const AffineMap &worldFromStep, const IsBetter &isBetter)
+    {
+        std::optional<std::size_t> chosen;
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            if (isBetter(worldFromStep * maps[i])) {
+                chosen = i;
+            }
+        }
+        return chosen;
+    }
+
     /// The levels [position, end) are numbered by a step's transformations like the digits of a number.
     void appendPicks(Position position, Position end, std::size_t number, Address &address) const
     {

@@ -16,6 +16,9 @@ namespace romanesco {
 /// each of the t transformations of an iteration, and goes on in the one that is nearest: b·t·d faces. It is called fully
 /// accurate there, but a base mesh bounds nothing of what grows on it: Promise::UpperBound. Kept for comparison.
 ///
+/// A sweep, of which the dissertation has none, goes on in the one that the sphere touches first, or, where it touches
+/// none, in the one that is nearest to its start.
+///
 /// A step is an iteration of an innermost recursive; levels that are in none are a step each, and so are those of an
 /// iteration of more than 10^5 transformations. `#` is one of the t.
 class GreedyCollider final : public Collider

@@ -63,14 +63,6 @@ bool isAhead(const glm::dvec3 &point, const Triangle &triangle, const glm::dvec3
     return !motion || glm::dot(contactDirection(point, triangle, p, motion), *motion) < 0.0;
 }
 
-void clear(Hit &hit)
-{
-    Address address = std::move(hit.address); // for its memory
-    address.clear();
-    hit = {};
-    hit.address = std::move(address);
-}
-
 void place(Hit &hit, const ClosestPoint &nearest, const Triangle &triangle, const glm::dvec3 &p,
            const std::optional<glm::dvec3> &motion)
 {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "collider.h"
@@ -60,8 +61,15 @@ private:
     return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
 }
 
-/// Makes it say that nothing was found, for nothing.
-void clear(Hit &hit);
+/// Makes a Hit or a Touch say that nothing was found, for nothing.
+template<typename Answer>
+void clear(Answer &answer)
+{
+    Address address = std::move(answer.address); // for its memory
+    address.clear();
+    answer = {};
+    answer.address = std::move(address);
+}
 
 /// The direction of a contact with a point of a triangle, as Hit has it.
 [[nodiscard]] glm::dvec3 contactDirection(const glm::dvec3 &point, const Triangle &triangle, const glm::dvec3 &p,

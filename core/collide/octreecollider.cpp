@@ -10,12 +10,14 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <glm/common.hpp>
 
 #include "core/fractal/copies.h"
 #include "core/fractal/counts.h"
 #include "nearest.h"
+#include "sweeping.h"
 
 namespace romanesco {
 
@@ -23,6 +25,7 @@ namespace {
 
 constexpr std::uint64_t facesOfBox = 12;
 constexpr double greatestCoordinate = 1e300;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 using Result = std::expected<void, std::string>;
 
 bool isHigh(unsigned octant, int axis)
@@ -75,7 +78,7 @@ glm::dvec3 nearestOfWalls(const Box &box, const glm::dvec3 &p)
     if (point != p) {
         return point;
     }
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinity;
     int across = 0;
     double place = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -94,6 +97,40 @@ glm::dvec3 nearestOfWalls(const Box &box, const glm::dvec3 &p)
 double distanceBetween(const glm::dvec3 &a, const glm::dvec3 &b)
 {
     return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+double distanceToWalls(const Box &box, const glm::dvec3 &p)
+{
+    return distanceBetween(nearestOfWalls(box, p), p);
+}
+
+/// A half of a wall that a path touches, seen from its start.
+struct WallTouch {
+    double way = infinity;
+    Triangle wall{};
+};
+
+WallTouch firstWall(const Box &box, const Path &path)
+{
+    WallTouch first;
+    const glm::dvec3 least = box.least - path.start;
+    const glm::dvec3 greatest = box.greatest - path.start;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (unsigned i = 0; i < 4; ++i) {
+            // a wall across the axis, cut from corner to corner
+            glm::dvec3 between = i % 2 == 0 ? least : greatest;
+            between[(axis + 1) % 3] = (i % 2 == 0 ? greatest : least)[(axis + 1) % 3];
+            Triangle wall{least, between, greatest};
+            for (glm::dvec3 &corner : wall) {
+                corner[axis] = (i < 2 ? least : greatest)[axis];
+            }
+            const TriangleTouch found = touch(wall, path.sphere, 0.0, std::min(first.way, path.length));
+            if (found.isTouch && found.way < first.way) {
+                first = {found.way, wall};
+            }
+        }
+    }
+    return first;
 }
 
 }
@@ -205,7 +242,8 @@ public:
         if (m_tree.m_nodes.empty()) {
             return;
         }
-        const glm::dvec3 point = nearestOfWalls(lastBox(query.p, hit.cost), query.p);
+        const auto rank = [&](const Box &box) { return Rank(0.0, distanceToWalls(box, query.p)); };
+        const glm::dvec3 point = nearestOfWalls(lastBox(rank, hit.cost), query.p);
         const double distance = distanceBetween(point, query.p);
         const Triangle triangle{point, point, point};
         if (distance <= query.radius && isAhead(point, triangle, query.p, query.motion)) {
@@ -213,8 +251,31 @@ public:
         }
     }
 
+    void sweep(const Sweep &sweep, Touch &touch) override
+    {
+        clear(touch);
+        touch.promise = Promise::None;
+        touch.face = Mesh::none;
+        if (m_tree.m_nodes.empty()) {
+            return;
+        }
+        const Path path(sweep);
+        const auto rank = [&](const Box &box) {
+            const double way = firstWall(box, path).way;
+            return Rank(way, way < infinity ? 0.0 : distanceToWalls(box, sweep.p));
+        };
+        const WallTouch found = firstWall(lastBox(rank, touch.cost), path);
+        if (found.way < infinity) {
+            place(touch, path, found.way, found.wall);
+        }
+    }
+
 private:
-    [[nodiscard]] Box lastBox(const glm::dvec3 &p, SearchCost &cost) const
+    /// Of an octant; the least is gone on in.
+    using Rank = std::pair<double, double>;
+
+    template<typename RankOf>
+    [[nodiscard]] Box lastBox(const RankOf &rankOf, SearchCost &cost) const
     {
         Box box = m_tree.m_box;
         std::uint32_t index = 0;
@@ -225,7 +286,7 @@ private:
                 box = octantOf(box, octantAt(box, m_tree.m_points[node.first]));
                 cost.faceTests += facesOfBox;
             } else {
-                const Choice choice = nearestChild(node, box, p);
+                const Choice choice = bestChild(node, box, rankOf);
                 box = choice.box;
                 index = choice.node;
                 cost.faceTests += facesOfBox * static_cast<unsigned>(std::popcount(node.octants));
@@ -238,23 +299,23 @@ private:
         std::uint32_t node;
         Box box;
     };
-    static Choice nearestChild(const Node &node, const Box &box, const glm::dvec3 &p)
+    template<typename RankOf>
+    static Choice bestChild(const Node &node, const Box &box, const RankOf &rankOf)
     {
-        Choice nearest{};
-        double least = std::numeric_limits<double>::infinity();
+        Choice best{};
+        Rank least(infinity, infinity);
         std::uint32_t child = node.first;
         for (unsigned octant = 0; octant < 8; ++octant) {
             if ((node.octants >> octant & 1u) != 0) {
                 const Box part = octantOf(box, octant);
-                const double distance = distanceBetween(nearestOfWalls(part, p), p);
-                if (distance < least) {
-                    least = distance;
-                    nearest = {child, part};
+                if (const Rank rank = rankOf(part); rank < least) {
+                    least = rank;
+                    best = {child, part};
                 }
                 ++child;
             }
         }
-        return nearest;
+        return best;
     }
 
     const OctreeCollider &m_tree;

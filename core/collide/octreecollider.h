@@ -24,6 +24,9 @@ namespace romanesco {
 /// figure 18 has 8·12·3·log8(faces), as if all octants held something.) Of equally near octants the first is taken, x
 /// changing first, then y, then z.
 ///
+/// A sweep, of which the dissertation has none, goes on in the octant whose walls the sphere touches first, or, where it
+/// touches none, in the one that is nearest to its start.
+///
 /// Nodes are kept more tightly than there: their boxes are found on the way down, and where all vertices are one point
 /// the octants below follow from it. What is found and what it costs are not changed by that.
 class OctreeCollider final : public Collider

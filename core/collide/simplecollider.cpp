@@ -4,6 +4,7 @@
 
 #include "core/fractal/copies.h"
 #include "nearest.h"
+#include "sweeping.h"
 
 namespace romanesco {
 
@@ -31,6 +32,24 @@ public:
         }
         const bool isCutShort = query.stop.stop_requested();
         report(nearest, query, isCutShort ? Promise::UpperBound : Promise::Exact, hit);
+    }
+
+    void sweep(const Sweep &sweep, Touch &touch) override
+    {
+        const Path path(sweep);
+        FirstTouch first(m_mesh, path);
+        CopyWalk copies(m_graph, CopyWalk::Addresses::Keep, sweep.stop);
+        clear(touch);
+        while (copies.next()) {
+            if (first.consider(m_worldFromModel * copies.modelFromBase(), m_vertices)) {
+                touch.address.assign(copies.address().begin(), copies.address().end());
+            }
+        }
+        first.report(sweep, touch);
+        if (sweep.stop.stop_requested()) {
+            touch.promise = Promise::UpperBound;
+            touch.lower = 0.0;
+        }
     }
 
 private:

@@ -18,6 +18,7 @@
 #include "core/collide/nearest.h"
 #include "core/collide/octreecollider.h"
 #include "core/collide/simplecollider.h"
+#include "core/collide/sweeping.h"
 #include "core/collide/writtenout.h"
 
 namespace romanesco {
@@ -62,6 +63,13 @@ Box placedBox(const AffineMap &map, const Box &box)
 double distanceToBox(const glm::dvec3 &p, const Box &box)
 {
     return glm::length(glm::max(glm::max(box.least - p, p - box.greatest), glm::dvec3(0.0))) * (1.0 - 4.0 * epsilon);
+}
+
+/// Never more than it is.
+double wayToPlaced(const Path &path, const Box &box)
+{
+    const MovingSphere grown{path.sphere.direction, path.sphere.radius + errorOfWays * reachOf(path, box)};
+    return wayToBox({box.least - path.start, box.greatest - path.start}, grown);
 }
 
 /// Of places that queries can be taken out of.
@@ -270,7 +278,7 @@ void SceneSearch::closest(const Query &query, Hit &hit)
            && "squares of distances are numbers");
     clear(hit);
     hit.lower = infinity;
-    listItems(query.p);
+    listItems([&](const Box &box) { return distanceToBox(query.p, box); });
     Query left = query;
     bool isCutShort = false;
     while (!m_waiting.empty()) {
@@ -290,11 +298,12 @@ void SceneSearch::closest(const Query &query, Hit &hit)
     promise(query, isCutShort, hit);
 }
 
-void SceneSearch::listItems(const glm::dvec3 &p)
+template<typename DistanceTo>
+void SceneSearch::listItems(const DistanceTo &distanceTo)
 {
     m_waiting.clear();
     for (std::size_t i = 0; i < m_collider.m_placed.size(); ++i) {
-        m_waiting.push_back({distanceToBox(p, m_collider.m_placed[i].box), i});
+        m_waiting.push_back({distanceTo(m_collider.m_placed[i].box), i});
     }
     std::ranges::make_heap(m_waiting, std::greater(), [](const Waiting &w) { return std::pair(w.distance, w.placed); });
 }
@@ -307,8 +316,7 @@ SceneSearch::Waiting SceneSearch::takeNearest()
     return nearest;
 }
 
-/// What is found there, and proved of it, in the world.
-void SceneSearch::searchItem(const SceneCollider::Placed &placed, const Query &query)
+Search &SceneSearch::searchOf(const SceneCollider::Placed &placed)
 {
     std::unique_ptr<Search> &search = m_searches[placed.surface];
     if (!search) {
@@ -316,10 +324,16 @@ void SceneSearch::searchItem(const SceneCollider::Placed &placed, const Query &q
         search = worldFromModel ? collider->searchPlaced(*worldFromModel) : collider->search();
         assert(search && "kinds that cannot be placed are written out in the world");
     }
+    return *search;
+}
+
+/// What is found there, and proved of it, in the world.
+void SceneSearch::searchItem(const SceneCollider::Placed &placed, const Query &query)
+{
     if (placed.worldFromModel) {
-        searchModel(*search, *placed.worldFromModel, query);
+        searchModel(searchOf(placed), *placed.worldFromModel, query);
     } else {
-        search->closest(query, m_ofItem);
+        searchOf(placed).closest(query, m_ofItem);
     }
 }
 
@@ -352,6 +366,70 @@ void SceneSearch::take(const SceneCollider::Placed &placed, Hit &hit)
     }
     hit.lower = lower;
     hit.cost = cost;
+}
+
+void SceneSearch::sweep(const Sweep &sweep, Touch &touch)
+{
+    assert(glm::all(glm::lessThanEqual(glm::max(glm::abs(sweep.p), glm::abs(sweep.v)), glm::dvec3(m_collider.farthest)))
+           && sweep.radius <= m_collider.farthest && "squares of distances are numbers");
+    clear(touch);
+    const Path path(sweep);
+    listItems([&](const Box &box) { return path.timeOf(wayToPlaced(path, box)); });
+    const double slack = path.speed > 0.0 ? path.slack / path.speed : 0.0;
+    Sweep left = sweep;
+    double lower = infinity;
+    bool isCutShort = false;
+    while (!m_waiting.empty()) {
+        const Waiting next = takeNearest();
+        const double until = touch.isFound() ? earlierThan(touch.time, slack) : sweep.time;
+        const bool isBeyond = next.distance > until || next.distance == infinity;
+        if (isBeyond || left.nodeBudget == 0 || sweep.stop.stop_requested()) {
+            isCutShort = isCutShort || !isBeyond;
+            lower = std::min(lower, next.distance); // and all that wait are later
+            break;
+        }
+        left.time = until;
+        const SceneCollider::Placed &placed = m_collider.m_placed[next.placed];
+        sweepItem(placed, left);
+        isCutShort = isCutShort || m_touchOfItem.promise == Promise::UpperBound;
+        left.nodeBudget -= std::min(left.nodeBudget, m_touchOfItem.cost.nodeVisits);
+        lower = std::min(lower, m_touchOfItem.lower);
+        take(placed, touch);
+    }
+    const bool proves = m_collider.m_promise == Promise::Exact || m_collider.m_promise == Promise::Within;
+    touch.lower = proves ? std::clamp(lower, 0.0, std::min(touch.time, sweep.time)) : 0.0;
+    touch.promise = !proves ? m_collider.m_promise : isCutShort ? Promise::UpperBound : Promise::Exact;
+}
+
+void SceneSearch::sweepItem(const SceneCollider::Placed &placed, const Sweep &sweep)
+{
+    Search &search = searchOf(placed);
+    if (!placed.worldFromModel) {
+        search.sweep(sweep, m_touchOfItem);
+        return;
+    }
+    const auto &[map, inverse, scale] = *placed.worldFromModel;
+    const Path path(sweep);
+    const double reach = std::min(reachOf(path, placed.box), SceneCollider::farthest); // the box may be infinite
+    const double error = errorOfMap * (reach + scale * sumOfSizes(inverse.translation));
+    Sweep inModel = sweep;
+    inModel.p = inverse(sweep.p);
+    inModel.v = inverse.linear * sweep.v;
+    inModel.radius = (sweep.radius + error) / scale * (1.0 + 4.0 * epsilon);
+    search.sweep(inModel, m_touchOfItem);
+    m_touchOfItem.point = map(m_touchOfItem.point);
+    m_touchOfItem.direction = glm::normalize(map.linear * m_touchOfItem.direction / scale);
+}
+
+void SceneSearch::take(const SceneCollider::Placed &placed, Touch &touch)
+{
+    const SearchCost cost{touch.cost.faceTests + m_touchOfItem.cost.faceTests,
+                          touch.cost.nodeVisits + m_touchOfItem.cost.nodeVisits};
+    if (m_touchOfItem.time < touch.time) {
+        std::swap(touch, m_touchOfItem);
+        m_item = placed.item;
+    }
+    touch.cost = cost;
 }
 
 void SceneSearch::promise(const Query &query, bool isCutShort, Hit &hit) const

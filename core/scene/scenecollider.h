@@ -24,7 +24,7 @@ namespace romanesco {
 /// coordinates; anywhere else (sheared, flat, at a point) into a search of the surface as it is placed, and what has to be
 /// written out is written out where it stands.
 ///
-/// It promises of a scene what its kind does of an item. Each item is passed over whose box is farther than what was
+/// It promises of a scene what its kind does of an item; sweeps are exact with Approximate too. Each item is passed over whose box is farther than what was
 /// found; a query costs some nanoseconds for each besides, and a budget of nodes is for all together.
 class SceneCollider final : public Collider
 {
@@ -88,20 +88,28 @@ public:
     /// No coordinate of p may be beyond SceneCollider::farthest.
     void closest(const Query &query, Hit &hit) override;
 
-    /// By the last query, the item in Scene::items that the hit's face and address are of. Only where one was found.
+    /// The same of a sweep's p, v and radius. What an item's place puts a path off by counts as rounding.
+    void sweep(const Sweep &sweep, Touch &touch) override;
+
+    /// By the last query or sweep, the item in Scene::items that its face and address are of. Only where one was found.
     [[nodiscard]] std::size_t item() const { return m_item; }
 
 private:
+    /// An item at that distance, or not touched before that time.
     struct Waiting {
         double distance;
         std::size_t placed;
     };
 
-    void listItems(const glm::dvec3 &p);
+    template<typename DistanceTo>
+    void listItems(const DistanceTo &distanceTo);
     [[nodiscard]] Waiting takeNearest();
+    Search &searchOf(const SceneCollider::Placed &placed);
     void searchItem(const SceneCollider::Placed &placed, const Query &query);
     void searchModel(Search &search, const Similarity &worldFromModel, const Query &query);
     void take(const SceneCollider::Placed &placed, Hit &hit);
+    void sweepItem(const SceneCollider::Placed &placed, const Sweep &sweep);
+    void take(const SceneCollider::Placed &placed, Touch &touch);
     void promise(const Query &query, bool isCutShort, Hit &hit) const;
 
     const SceneCollider &m_collider;
@@ -110,6 +118,7 @@ private:
     /// A heap of the items that were not looked at, the nearest box on top.
     std::vector<Waiting> m_waiting;
     Hit m_ofItem;
+    Touch m_touchOfItem;
     std::size_t m_item = 0;
 };
 
