@@ -8,11 +8,9 @@
 #include "core/collide/exactcollider.h"
 #include "core/collide/greedycollider.h"
 #include "core/collide/octreecollider.h"
-#include "core/fractal/extent.h"
 #include "tests/core/collide/allocations.h"
-#include "tests/core/collide/bruteforce.h"
 #include "tests/core/collide/meshes.h"
-#include "tests/core/fractal/samples.h"
+#include "tests/core/scene/randomscenes.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -24,106 +22,9 @@ using ItemKind = SceneDescription::Kind;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::shared_ptr<const Model> modelOf(const FractalGraph &graph, const Mesh &mesh)
-{
-    const auto shared = std::make_shared<const Mesh>(mesh);
-    BoxBounds boxes(graph, *shared);
-    const Box box = extent(graph, boxes, *shared);
-    return std::make_shared<const Model>(Model{shared, graph, std::move(boxes), box, {}});
-}
-
-std::shared_ptr<const Model> modelOf(const Mesh &mesh)
-{
-    return modelOf(FractalGraph::ofMesh(boundingSphere(mesh)), mesh);
-}
-
-std::shared_ptr<const Model> modelOf(const QString &example, std::uint64_t depth)
-{
-    const Sample made = sample(example, depth);
-    return modelOf(made.graph, made.mesh);
-}
-
-std::shared_ptr<const Scene> sceneOf(std::vector<SceneItem> items)
-{
-    Scene scene;
-    scene.items = std::move(items);
-    return std::make_shared<const Scene>(std::move(scene));
-}
-
 SceneCollider colliderOf(const std::shared_ptr<const Scene> &scene, Kind kind, double excess = 0.01)
 {
     return SceneCollider::create(scene, {kind, excess}).value();
-}
-
-/// Moved only, or a similarity, a mirror, sheared, of unequal scales, flat, a line, a point, or where it was.
-AffineMap randomPlace(std::mt19937_64 &random)
-{
-    const auto angle = [&] { return uniform(random, -180, 180); };
-    const auto size = [&] { return uniform(random, 0.3, 2); };
-    const glm::dvec3 scales[]{glm::dvec3(1), glm::dvec3(size()),   {-1, 1, 1}, {size(), size(), size()},
-                              {1, 1, 0},     {0, size(), -size()}, {0, 2, 0},  {0, 0, 0}};
-    const std::uint64_t kind = random() % 10;
-    if (kind == 9) {
-        return {};
-    }
-    AffineMap map = mapFromParts(randomPoint(random, 6), {angle(), angle(), angle()}, scales[kind % 8]);
-    if (kind == 8) {
-        map.linear[0] += size() * map.linear[2];
-    }
-    return map;
-}
-
-/// A random scene, and how far a point is from it, by all that is written in it.
-struct Written {
-    std::vector<RandomFractal> fractals;
-    std::vector<SceneItem> items;
-    /// Beside items.
-    std::vector<std::size_t> fractalOfItem;
-
-    [[nodiscard]] Wide distanceToItem(std::size_t item, const glm::dvec3 &p) const
-    {
-        const RandomFractal &written = fractals[fractalOfItem[item]];
-        naive::Fractal placed = written.fractal;
-        placed.maps.push_back(items[item].worldFromModel);
-        Wide least = infinity;
-        for (naive::Picks picks : naive::allPicks(placed.levels())) {
-            picks.insert(picks.begin(), static_cast<int>(placed.maps.size()) - 1);
-            least = std::min(least, distanceToCopy(placed, written.mesh, picks, p));
-        }
-        return least;
-    }
-
-    [[nodiscard]] Wide distance(const glm::dvec3 &p) const
-    {
-        Wide least = infinity;
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            if (items[i].kind != ItemKind::Ball) {
-                least = std::min(least, distanceToItem(i, p));
-            }
-        }
-        return least;
-    }
-};
-
-Written randomScene(std::mt19937_64 &random)
-{
-    Written written;
-    std::vector<std::shared_ptr<const Model>> models;
-    while (models.size() < 2) {
-        RandomFractal one = randomFractalWithMesh(random, 0.7);
-        if (naive::wordsAsWritten(one.fractal.levels()) <= 40) {
-            models.push_back(modelOf(one.graph, one.mesh));
-            written.fractals.push_back(std::move(one));
-        }
-    }
-    const std::size_t count = random() % 5 + 1;
-    for (std::size_t i = 0; i < count; ++i) {
-        written.fractalOfItem.push_back(random() % 2);
-        written.items.push_back({.model = models[written.fractalOfItem.back()],
-                                 .worldFromModel = randomPlace(random),
-                                 .kind = random() % 7 == 0 ? ItemKind::Ball : ItemKind::Fractal});
-    }
-    return written;
 }
 
 const Mesh cube{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
