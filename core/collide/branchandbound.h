@@ -297,6 +297,8 @@ private:
         }
         // each level's scale is rounded too
         const double rounded = 1.0 - 64.0 * epsilon * static_cast<double>(m_deepest + 1);
+        assert((m_found != Found::Face || m_lower * rounded <= hit.distance + 2.0 * m_bestFrame.error)
+               && "nothing is nearer than what is proved");
         hit.lower = std::clamp(m_lower * rounded, 0.0, std::min(hit.distance, query.radius));
         promise(hit);
     }

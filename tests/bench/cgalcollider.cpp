@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "cgalcollider.h"
 
+#include <cstdlib>
 #include <vector>
 
 #include <CGAL/AABB_traits_3.h>
@@ -65,6 +66,9 @@ public:
         : m_tree(tree)
     {
     }
+
+    /// It has no such question, and nobody asks.
+    void sweep(const Sweep &, Touch &) override { std::abort(); }
 
     void closest(const Query &query, Hit &hit) override
     {

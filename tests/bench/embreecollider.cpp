@@ -291,6 +291,9 @@ public:
     {
     }
 
+    /// It has no such question, and nobody asks.
+    void sweep(const Sweep &, Touch &) override { std::abort(); }
+
     void closest(const Query &query, Hit &hit) override
     {
         const glm::vec3 p(query.p);
