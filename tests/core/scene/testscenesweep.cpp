@@ -44,6 +44,7 @@ private Q_SLOTS:
     void theFirstTouchOfAllItemsIsFound();
     void itemsBehindOthersAreNotSearched();
     void aBudgetIsForAllItems();
+    void itemsFarAwayAreProvedToo();
     void itemsMayBeOfAnySize();
     void scenesOfNothingAreNotTouched();
     void sweepsDoNotAllocateOnceTheyHaveGrown();
@@ -170,6 +171,35 @@ void TestSceneSweep::aBudgetIsForAllItems()
         }
     }
     QVERIFY2(spent > 50, qPrintable(QString::number(spent)));
+}
+
+/// Where coordinates are rounded by much more than there is between the sphere and the surface.
+void TestSceneSweep::itemsFarAwayAreProvedToo()
+{
+    std::mt19937_64 random(85);
+    int touched = 0;
+    for (int round = 0; round < 6; ++round) {
+        Written written;
+        written.fractals.push_back(randomFractalWithMesh(random, 0.6));
+        const RandomFractal &sample = written.fractals.front();
+        const AffineMap place = mapFromParts(randomPoint(random, 1e8), randomPoint(random, 180), glm::dvec3(0.7));
+        written.items = {{.model = modelOf(sample.graph, sample.mesh), .worldFromModel = place}};
+        written.fractalOfItem = {0};
+        const SceneCollider collider = SceneCollider::create(sceneOf(written.items), {Kind::Exact}).value();
+        const auto search = collider.search();
+        const SweepTruth truth = truthOf(written);
+        for (int i = 0; i < 20; ++i) {
+            const glm::dvec3 target = narrow(truth.triangles()[random() % truth.triangles().size()][0]);
+            const glm::dvec3 p = target + randomPoint(random, 1);
+            const Sweep sweep{.p = p, .v = target - p, .radius = std::pow(10.0, uniform(random, -5, 0))};
+            Touch touch;
+            search->sweep(sweep, touch);
+            touched += touch.isFound() && touch.time > 0.0 ? 1 : 0;
+            QVERIFY(touch.lower == 0.0
+                    || truth.leastUntil(sweep, touch.lower * (1 - 1e-15), 1.01 * sweep.radius) > sweep.radius);
+        }
+    }
+    QVERIFY2(touched > 30, qPrintable(QString::number(touched)));
 }
 
 void TestSceneSweep::itemsMayBeOfAnySize()
