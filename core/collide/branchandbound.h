@@ -37,6 +37,7 @@ public:
         , m_products(products)
         , m_frames(std::move(frames))
         , m_excess(excess)
+        , m_nearer((1.0 - 4.0 * epsilon) / (1.0 + excess))
     {
     }
 
@@ -45,7 +46,7 @@ public:
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
         if (!m_states.bounds(m_states.root()).box.isEmpty()) {
-            visit({.state = m_states.root()}, m_frames.begin(query));
+            visit(m_states.root(), m_states.isMesh(m_states.root()), m_frames.begin(query));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {
                 goOn();
             }
@@ -72,6 +73,12 @@ private:
     struct Known {
         std::span<const DescentStep> children;
         typename Frames::Children bounds;
+        /// Beside the children, of the states that they lead to.
+        struct Below {
+            const BoundedStates::Bounds *bounds;
+            bool isMesh;
+        };
+        std::vector<Below> below;
         /// At first.
         std::vector<Tightness> tightness;
     };
@@ -112,7 +119,7 @@ private:
         if (m_found == Found::Nothing) {
             return distance - error <= m_best;
         }
-        return distance + std::max(error, m_bestFrame.error) < m_best * (1.0 - 4.0 * epsilon) / (1.0 + m_excess);
+        return distance + std::max(error, m_bestFrame.error) < m_best * m_nearer;
     }
 
     void drop(double distance, double error) { m_lower = std::min(m_lower, distance - error); }
@@ -138,7 +145,7 @@ private:
         if (tightness == Tightness::OfCoarseHull
             && (m_path.size() >= levelsBeforeFine || m_cost.nodeVisits >= visitsBeforeFine)) {
             const double finer =
-                m_frames.fineDistanceTo(node.frame, step, m_states.bounds(step.state), m_best / node.frame.unit);
+                m_frames.fineDistanceTo(node.frame, step, *node.known->below[child].bounds, m_best / node.frame.unit);
             inFrame = std::max(inFrame, finer);
             tightness = Tightness::Final;
             return;
@@ -147,7 +154,7 @@ private:
         if (step.isToMesh()) {
             measure(node.frame);
         } else {
-            goDown(node, step, distance);
+            goDown(node, step, node.known->below[child], distance);
         }
     }
 
@@ -161,9 +168,9 @@ private:
         }
     }
 
-    void goDown(const Node &node, const DescentStep &step, double distance)
+    void goDown(const Node &node, const DescentStep &step, const typename Known::Below &below, double distance)
     {
-        const BoundedStates::Bounds &bounds = m_states.bounds(step.state);
+        const BoundedStates::Bounds &bounds = *below.bounds;
         const Frame frame = m_frames.child(node.frame, step, node.error);
         if (m_isMoving && m_frames.isBehind(frame, bounds.box)) {
             return;
@@ -175,17 +182,17 @@ private:
             settle(step, frame, bounds.box, distance, distance + size);
         } else {
             m_path.push_back(step);
-            visit(step, frame);
+            visit(step.state, below.isMesh, frame);
         }
     }
 
-    void visit(const DescentStep &step, const Frame &frame)
+    void visit(StateId state, bool isMesh, const Frame &frame)
     {
-        if (m_states.isMesh(step.state)) {
+        if (isMesh) {
             measure(frame);
             stepBack();
         } else {
-            enter(step.state, frame);
+            enter(state, frame);
         }
     }
 
@@ -230,9 +237,13 @@ private:
             known.children = m_states.children(state);
             known.bounds = m_frames.boundsOf(known.children, m_states);
             known.tightness.resize(blocksFor(known.children.size()) * laneCount, Tightness::Final);
-            std::ranges::transform(known.children, known.tightness.begin(), [&](const DescentStep &step) {
-                return !step.isToMesh() && m_states.bounds(step.state).hulls ? Tightness::OfBox : Tightness::Final;
-            });
+            for (std::size_t i = 0; i < known.children.size(); ++i) {
+                const DescentStep &step = known.children[i];
+                const bool isMesh = step.isToMesh() || m_states.isMesh(step.state);
+                const auto &bounds = step.isToMesh() ? m_states.meshBounds() : m_states.bounds(step.state);
+                known.below.push_back({&bounds, isMesh});
+                known.tightness[i] = bounds.hulls ? Tightness::OfBox : Tightness::Final;
+            }
         }
         return known;
     }
@@ -320,6 +331,8 @@ private:
     const EqualProducts &m_products;
     Frames m_frames;
     const double m_excess;
+    /// What is nearer by less than rounding, or than the excess, is not.
+    const double m_nearer;
     /// By state.
     std::deque<Known> m_known;
 

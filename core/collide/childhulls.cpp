@@ -27,6 +27,7 @@ std::vector<HullsOfFew> hullsOf(std::span<const DescentStep> children, BoundedSt
             const AffineMap &parentFromChild = states.graph().set(set).maps[map];
             const auto &corners = hulls->coarse.corners;
             setLane(block.centre, lane, parentFromChild(hulls->centre));
+            block.cornersUsed = std::max(block.cornersUsed, corners.size());
             for (std::size_t k = 0; k < block.corners.size(); ++k) {
                 setLane(block.corners[k], lane, parentFromChild.linear * corners[k < corners.size() ? k : 0]);
             }

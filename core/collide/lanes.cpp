@@ -133,8 +133,8 @@ HWY_INLINE void raise(const HullsOfFew &hulls, std::size_t lane, Vector length, 
 {
     const Tag tag;
     Vector reach = hn::Neg(hn::Inf(tag));
-    for (const LanesOfPoint &corner : hulls.corners) {
-        reach = hn::Max(reach, dot(load(corner, lane), along));
+    for (std::size_t i = 0; i < hulls.cornersUsed; ++i) {
+        reach = hn::Max(reach, dot(load(hulls.corners[i], lane), along));
     }
     const Vector error = hn::Mul(hn::Load(tag, hulls.error.data() + lane), norm);
     const Vector distance = hn::Sub(hn::Sub(length, hn::Div(reach, length)), error);

@@ -64,9 +64,10 @@ void distancesTo(std::span<const Parallelepipeds> boxes, const AffineMap &map, d
 struct alignas(64) HullsOfFew {
     static constexpr std::size_t cornerCount = 16;
     LanesOfPoint centre;
-    /// Seen from the centre; those left over repeat another.
+    /// Seen from the centre, as many as any of them has; those that one lacks repeat its first.
     std::array<LanesOfPoint, cornerCount> corners;
     Lanes error;
+    std::size_t cornersUsed;
 };
 
 /// Puts in how far from p each hull begins, as seen along the way to its centre, where that is farther.

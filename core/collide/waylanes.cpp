@@ -131,7 +131,8 @@ HWY_INLINE Vector wayToHull(const HullsOfFew &hulls, std::size_t lane, const Poi
     const Tag tag;
     const Vector zero = hn::Zero(tag);
     Vector least = hn::Inf(tag);
-    for (const LanesOfPoint &corner : hulls.corners) {
+    for (std::size_t i = 0; i < hulls.cornersUsed; ++i) {
+        const LanesOfPoint &corner = hulls.corners[i];
         least = hn::Min(least, dot(load(corner, lane), inHull));
     }
     const Vector length = hn::Sqrt(dot(towards, towards));

@@ -71,6 +71,7 @@ Sizes sizes(std::mt19937_64 &random, bool isWild)
     }
     result.map.translation = point(random, isWild);
     result.p = point(random, isWild);
+    result.hulls.cornersUsed = HullsOfFew::cornerCount;
     for (std::size_t lane = 0; lane < laneCount; ++lane) {
         fill(result.hulls.centre, lane);
         for (LanesOfPoint &corner : result.hulls.corners) {

@@ -34,6 +34,7 @@ struct Shot {
 Shot randomShot(std::mt19937_64 &random, int round)
 {
     Shot shot;
+    shot.hulls.cornersUsed = HullsOfFew::cornerCount;
     shot.p = randomPoint(random, 6);
     shot.sphere.direction = round % 10 == 0 ? glm::dvec3(0, 0, 1) : glm::normalize(randomPoint(random, 2) - shot.p);
     shot.sphere.radius = round % 7 == 0 ? 0.0 : std::pow(10.0, uniform(random, -3, 1));
