@@ -45,8 +45,9 @@ public:
     {
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
-        if (!m_states.bounds(m_states.root()).box.isEmpty()) {
-            visit(m_states.root(), m_states.isMesh(m_states.root()), m_frames.begin(query));
+        const StateId root = m_states.root();
+        if (const Box &all = m_states.bounds(root).box; !all.isEmpty()) {
+            visit(root, m_states.isMesh(root), m_frames.begin(query, all));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {
                 goOn();
             }
@@ -216,8 +217,13 @@ private:
         ++m_cost.nodeVisits;
         m_deepest = std::max(m_deepest, m_path.size());
         const Known &known = knownOf(state);
+        if (known.children.empty()) {
+            stepBack();
+            return;
+        }
         const std::size_t first = m_distances.size();
-        const double error = m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.scaleOf(frame);
+        const double error =
+            m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.magnitudeOf(frame, known.bounds);
         m_nodes.push_back({&known, frame, error, first});
         m_distances.resize(first + known.tightness.size());
         m_frames.distancesTo(frame, known.bounds, m_distances.data() + first);

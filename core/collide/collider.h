@@ -76,7 +76,8 @@ struct Touch : SurfacePoint {
 struct Query {
     /// Finite, and at most 1e150 along each axis.
     glm::dvec3 p{0.0};
-    /// Only points at most so far from p count.
+    /// Only points at most so far from p count. What was nearest a moment ago is no farther than its distance then and the
+    /// way that p has gone since: with that as the radius a search is sooner done.
     double radius = std::numeric_limits<double>::infinity();
     /// The search ends early once so many nodes were visited, and promises less then. Of the colliders of fractals that
     /// promise anything; a count, so that answers do not depend on the machine.

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <tuple>
+#include <utility>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace romanesco {
@@ -15,30 +16,39 @@ namespace romanesco {
 namespace {
 
 constexpr std::size_t mostPairs = 4'096;
+constexpr std::size_t mostPairsInAll = 65'536;
+constexpr std::size_t mostNodes = 1'024;
 /// Exchanges far down hardly move a copy then.
 constexpr double leastShrinking = 0.85;
 /// What rounding may put two equal products apart, of the numbers that they are made of.
 constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Bounds how far apart two maps place a point that is no farther from the origin than the reach.
-double apart(const AffineMap &a, const AffineMap &b, double reach)
+/// Pairs of sets of which the second may follow the first at once, or past levels that hold `#`.
+std::set<std::pair<SetId, SetId>> neighbours(const FractalGraph &graph)
 {
-    double apart = glm::length(a.translation - b.translation);
-    for (int column = 0; column < 3; ++column) {
-        apart += glm::length(a.linear[column] - b.linear[column]) * reach;
-    }
-    return apart;
-}
-
-double farthestOf(const BoxBounds &boxes)
-{
-    double farthest = 0.0;
-    for (const Box &box : boxes.ofNodes()) {
-        if (!box.isEmpty()) {
-            farthest = std::max(farthest, glm::length(glm::max(glm::abs(box.least), glm::abs(box.greatest))));
+    const BoundLayout &layout = graph.layout();
+    std::set<std::pair<SetId, SetId>> pairs;
+    std::vector<BoundLayout::Node> waiting;
+    std::vector<bool> isKnown;
+    for (BoundLayout::Node node = 0; node < layout.nodeCount(); ++node) {
+        for (const auto &[slot, next] : layout.steps(node)) {
+            const SetId first = graph.levels().set(slot);
+            isKnown.assign(layout.nodeCount(), false);
+            waiting = {next};
+            while (!waiting.empty()) {
+                const BoundLayout::Node after = waiting.back();
+                waiting.pop_back();
+                for (const auto &[slotAfter, nextAfter] : layout.steps(after)) {
+                    pairs.emplace(first, graph.levels().set(slotAfter));
+                    if (graph.setAt(slotAfter).holdsIdentity && !isKnown[nextAfter]) {
+                        isKnown[nextAfter] = true;
+                        waiting.push_back(nextAfter);
+                    }
+                }
+            }
         }
     }
-    return farthest;
+    return pairs;
 }
 
 bool shrinks(const FractalGraph &graph, SetId set)
@@ -58,23 +68,26 @@ struct EqualProducts::Product {
     double moved;
     double norm;
     bool isLeftOut = false;
+
+    [[nodiscard]] double apartFrom(const Product &other) const;
 };
 
-EqualProducts::EqualProducts(const FractalGraph &graph, const BoxBounds &boxes)
+EqualProducts::EqualProducts(const FractalGraph &graph)
     : m_leftOut(graph.setCount())
 {
-    const double reach = farthestOf(boxes);
-    if (graph.setsShareMaps() || !std::isfinite(reach)) {
+    if (graph.setsShareMaps() || graph.layout().nodeCount() > mostNodes) {
         return;
     }
-    for (SetId first = 0; first < graph.setCount(); ++first) {
-        m_leftOut[first].resize(graph.set(first).maps.size());
-        for (SetId second = 0; second < graph.setCount(); ++second) {
-            const std::size_t pairs = graph.set(first).maps.size() * graph.set(second).maps.size();
-            if (pairs > 0 && pairs <= mostPairs && shrinks(graph, first) && shrinks(graph, second)) {
-                std::vector<Product> products = productsOf(graph, first, second);
-                compare(products, first, second, reach);
-            }
+    for (SetId set = 0; set < graph.setCount(); ++set) {
+        m_leftOut[set].resize(graph.set(set).maps.size());
+    }
+    std::size_t left = mostPairsInAll;
+    for (const auto &[first, second] : neighbours(graph)) {
+        const std::size_t pairs = graph.set(first).maps.size() * graph.set(second).maps.size();
+        if (pairs <= std::min(mostPairs, left) && shrinks(graph, first) && shrinks(graph, second)) {
+            left -= pairs;
+            std::vector<Product> products = productsOf(graph, first, second);
+            compare(products, first, second);
         }
     }
     m_isEmpty = std::ranges::all_of(
@@ -100,25 +113,33 @@ std::vector<EqualProducts::Product> EqualProducts::productsOf(const FractalGraph
     return products;
 }
 
+/// How far apart two products are, of the numbers that they are made of.
+double EqualProducts::Product::apartFrom(const Product &other) const
+{
+    const auto part = [](double apart, double of) { return apart > 0.0 ? apart / of : 0.0; };
+    double apart = part(glm::length(map.translation - other.map.translation), moved);
+    for (int column = 0; column < 3; ++column) {
+        apart = std::max(apart, part(glm::length(map.linear[column] - other.map.linear[column]), norm));
+    }
+    return apart;
+}
+
 /// By their keys, each with the few before it that may be equal.
-void EqualProducts::compare(std::vector<Product> &products, SetId first, SetId second, double reach)
+void EqualProducts::compare(std::vector<Product> &products, SetId first, SetId second)
 {
     constexpr std::size_t mostCompared = 64;
     std::ranges::sort(products, {},
                       [](const Product &product) { return std::tuple(product.key, product.first, product.second); });
-    double size = 0.0;
-    for (const Product &product : products) {
-        size = std::max(size, product.moved + product.norm * reach);
-    }
     for (std::size_t i = 0; i < products.size(); ++i) {
         Product &one = products[i];
-        for (std::size_t j = i; j-- > 0 && i - j <= mostCompared && one.key - products[j].key <= rounding * size;) {
+        for (std::size_t j = i;
+             j-- > 0 && i - j <= mostCompared && one.key - products[j].key <= rounding * one.moved;) {
             Product &other = products[j];
-            const double distance = apart(one.map, other.map, reach);
-            if (distance <= rounding * (one.moved + one.norm * reach)) {
+            const double apart = one.apartFrom(other);
+            if (apart <= rounding) {
                 const bool isLater = std::tie(one.first, one.second) > std::tie(other.first, other.second);
                 (isLater ? one : other).isLeftOut = true;
-                m_farthest = std::max(m_farthest, distance);
+                m_apart = std::max(m_apart, apart);
             }
         }
     }

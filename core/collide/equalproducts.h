@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "core/fractal/boxbounds.h"
 #include "core/fractal/fractalgraph.h"
 #include "descent.h"
 
@@ -18,7 +17,8 @@ namespace romanesco {
 /// the second pick after the first one still meets every place: a word's picks can be exchanged until none is left out,
 /// since each exchange makes it come earlier.
 ///
-/// There are none where sets share maps, where maps shrink by less than 0.85, and of two sets of more than 4,096 pairs.
+/// There are none where sets share maps, where a map shrinks to more than 0.85, and of two sets of more than 4,096 pairs;
+/// at most 65,536 pairs are looked at.
 class EqualProducts
 {
 public:
@@ -27,8 +27,8 @@ public:
         std::uint32_t map = 0;
     };
 
-    /// Cost: some microseconds a pair.
-    EqualProducts(const FractalGraph &graph, const BoxBounds &boxes);
+    /// Cost: up to a microsecond a pair.
+    explicit EqualProducts(const FractalGraph &graph);
 
     /// What need not follow a pick.
     [[nodiscard]] std::span<const Pick> leftOutAfter(SetId set, std::uint32_t map) const
@@ -36,9 +36,9 @@ public:
         return m_isEmpty ? std::span<const Pick>{} : m_leftOut[set][map];
     }
 
-    /// How far from a copy that is left out the one is at most that is met instead, in the frame of the first pick: a
-    /// word is exchanged several times on its way, less and less of it each time.
-    [[nodiscard]] double error() const { return 64.0 * m_farthest; }
+    /// How far from a copy that is left out the one is at most that is met instead, in parts of the numbers that it is
+    /// placed by: a word is exchanged several times on its way, less and less of it each time.
+    [[nodiscard]] double error() const { return 128.0 * m_apart; }
 
     [[nodiscard]] std::size_t memoryUse() const;
 
@@ -48,12 +48,13 @@ public:
 private:
     struct Product;
     [[nodiscard]] static std::vector<Product> productsOf(const FractalGraph &graph, SetId first, SetId second);
-    void compare(std::vector<Product> &products, SetId first, SetId second, double reach);
+    void compare(std::vector<Product> &products, SetId first, SetId second);
 
     /// By set and map.
     std::vector<std::vector<std::vector<Pick>>> m_leftOut;
     bool m_isEmpty = true;
-    double m_farthest = 0.0;
+    /// Of the numbers that products are made of.
+    double m_apart = 0.0;
 };
 
 }

@@ -44,7 +44,7 @@ ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, 
     , m_faces(mesh)
     , m_excess(excess)
     , m_hulls(graph, boxes, mesh)
-    , m_products(graph, boxes)
+    , m_products(graph)
     , m_inverses(LocalFrames::inverses(graph))
 {
     assert(excess >= 0.0 && "no distance is less than the least");

@@ -39,6 +39,6 @@ void placeFaces(std::span<const CornerLanes> corners, const AffineMap &map, Face
 /// From p to each triangle that is plain, off by at most `errorOfFaceDistances` times the largest coordinate of the way
 /// from p to any of its corners. The nearest of the three edges, unless the foot on the plane is inside.
 void faceDistances(std::span<const FaceLanes> faces, const glm::dvec3 &p, double *distances);
-constexpr double errorOfFaceDistances = 0x1p-47;
+constexpr double errorOfFaceDistances = 0x1p-46;
 
 }

@@ -59,7 +59,7 @@ public:
     };
     [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
-    [[nodiscard]] Frame begin(const Query &query) const { return {.p = query.p, .motion = query.motion}; }
+    [[nodiscard]] Frame begin(const Query &query, const Box &) const { return {.p = query.p, .motion = query.motion}; }
     /// error: that of the children.
     [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
     /// How far off, in the model's unit, distances may be in children and to them.
@@ -75,8 +75,11 @@ public:
 
     /// Whether no point of a box is ahead of p.
     [[nodiscard]] bool isBehind(const Frame &frame, const Box &box) const;
-    /// How long what stands in a frame is at most in the model, for each unit there.
-    [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.unit; }
+    /// In the model's unit, how large the numbers are at most that children are placed by.
+    [[nodiscard]] static double magnitudeOf(const Frame &frame, const Children &children)
+    {
+        return frame.unit * children.reach;
+    }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 

@@ -124,11 +124,11 @@ void LocalSweep::measure(const Frame &frame, const Box &box, double limit, Swept
     scale(found, unit);
 }
 
-double LocalSweep::finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps,
+double LocalSweep::finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, double slack,
                           Touch &touch) const
 {
     const MovingSphere sphere = sphereIn(frame, 0.0);
-    const double way = refined(found.way / frame.at.unit, found.triangle, sphere);
+    const double way = refined(found.way / frame.at.unit, found.triangle, sphere, slack / frame.at.unit);
     const Contact contact = contactAt(way, found.triangle, sphere);
     touch.point = frame.at.p + contact.point;
     touch.direction = contact.direction;

@@ -40,8 +40,11 @@ public:
     /// By how much the sphere has to grow for what its frame and ways to the children may be off.
     [[nodiscard]] double errorOf(const Frame &frame, const Children &children) const;
 
-    /// How long what stands in a frame is at most in the model, for each unit there.
-    [[nodiscard]] static double scaleOf(const Frame &frame) { return LocalFrames::scaleOf(frame.at); }
+    /// How large the numbers are at most that children are placed by.
+    [[nodiscard]] static double magnitudeOf(const Frame &frame, const Children &children)
+    {
+        return LocalFrames::magnitudeOf(frame.at, children);
+    }
 
     /// Before which the sphere, grown by an error, does not touch each child: of its box, perhaps roughly.
     void waysTo(const Frame &frame, const Children &children, double error, double *ways) const;
@@ -64,7 +67,8 @@ public:
 
     /// Puts what was found in the frame at the end of a path into the model's. The way at which the sphere itself touches,
     /// which is not grown, or at which it is grown where else it passes by.
-    double finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, Touch &touch) const;
+    double finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, double slack,
+                  Touch &touch) const;
 
 private:
     /// The sphere, grown, in the unit of a frame.

@@ -61,15 +61,13 @@ RelativeFrames::RelativeFrames(const FractalGraph &graph, const Mesh &mesh, cons
 {
 }
 
-RelativeFrames::Frame RelativeFrames::begin(const Query &query)
+RelativeFrames::Frame RelativeFrames::begin(const Query &query, const Box &all)
 {
     m_p = query.p;
     m_motion = query.motion;
     const AffineMap map{m_worldFromModel.linear, m_worldFromModel.translation - m_p};
-    // as of a step with one map, to the mesh
-    const double error = m_tree.nodes().empty()
-        ? 0.0
-        : errorOfStep * (sumOfSizes(map.translation) + m_norm * reachOf(m_tree.nodes().front().box));
+    // as of a step with one map
+    const double error = errorOfStep * (sumOfSizes(map.translation) + m_norm * reachOf(all));
     return {.map = map, .norm = m_norm, .error = error};
 }
 

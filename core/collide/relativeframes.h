@@ -50,7 +50,8 @@ public:
     };
     [[nodiscard]] Children boundsOf(std::span<const DescentStep> children, BoundedStates &states) const;
 
-    [[nodiscard]] Frame begin(const Query &query);
+    /// All is in a box, which is not empty.
+    [[nodiscard]] Frame begin(const Query &query, const Box &all);
     /// error: that of the children.
     [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
     /// How far off distances may be in children and to them.
@@ -66,8 +67,11 @@ public:
 
     /// Whether no point of a box is ahead of p.
     [[nodiscard]] bool isBehind(const Frame &frame, const Box &box) const;
-    /// How long what stands in a frame is at most in the model, for each unit there.
-    [[nodiscard]] static double scaleOf(const Frame &frame) { return frame.norm; }
+    /// How large the numbers are at most that children are placed by.
+    [[nodiscard]] static double magnitudeOf(const Frame &frame, const Children &children)
+    {
+        return frame.norm * (children.farthest + children.reach);
+    }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 

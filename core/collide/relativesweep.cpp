@@ -20,7 +20,7 @@ RelativeSweep::Frame RelativeSweep::begin(const Path &path, const Box &box)
     m_start = path.start;
     m_sphere = path.sphere;
     m_reach = reachOf(path, parallelepiped(m_worldFromModel, box).box());
-    Frame frame{m_frames.begin({.p = path.start})};
+    Frame frame{m_frames.begin({.p = path.start}, box)};
     frame.at.error += errorOfWays * m_reach;
     return frame;
 }
@@ -80,9 +80,10 @@ void RelativeSweep::measure(const Frame &frame, const Box &box, double limit, Sw
     touchPoint(frame.at.map(box.centre()), grown(frame.at.error), limit, found);
 }
 
-double RelativeSweep::finish(const Frame &, const SweptFace &found, std::span<const DescentStep>, Touch &touch) const
+double RelativeSweep::finish(const Frame &, const SweptFace &found, std::span<const DescentStep>, double slack,
+                             Touch &touch) const
 {
-    const double way = refined(found.way, found.triangle, m_sphere);
+    const double way = refined(found.way, found.triangle, m_sphere, slack);
     const Contact contact = contactAt(way, found.triangle, m_sphere);
     touch.point = m_start + contact.point;
     touch.direction = contact.direction;

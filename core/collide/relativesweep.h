@@ -36,7 +36,11 @@ public:
     [[nodiscard]] Frame child(const Frame &frame, const DescentStep &step, double error) const;
     [[nodiscard]] double errorOf(const Frame &frame, const Children &children) const;
 
-    [[nodiscard]] static double scaleOf(const Frame &frame) { return RelativeFrames::scaleOf(frame.at); }
+    /// How large the numbers are at most that children are placed by.
+    [[nodiscard]] static double magnitudeOf(const Frame &frame, const Children &children)
+    {
+        return RelativeFrames::magnitudeOf(frame.at, children);
+    }
 
     void waysTo(const Frame &frame, const Children &children, double error, double *ways) const;
     void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double error,
@@ -51,7 +55,8 @@ public:
     void measure(const Frame &frame, double limit, double slack, SweptFace &found);
     void measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const;
 
-    double finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, Touch &touch) const;
+    double finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, double slack,
+                  Touch &touch) const;
 
 private:
     [[nodiscard]] MovingSphere grown(double error) const;

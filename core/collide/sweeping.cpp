@@ -113,9 +113,9 @@ void touchPoint(const glm::dvec3 &point, const MovingSphere &sphere, double limi
     found.way = touched.isTouch ? touched.way : infinity;
 }
 
-double refined(double way, const Triangle &triangle, const MovingSphere &sphere)
+double refined(double way, const Triangle &triangle, const MovingSphere &sphere, double slack)
 {
-    const TriangleTouch found = touch(triangle, sphere, way);
+    const TriangleTouch found = touch(triangle, sphere, way, way + slack);
     return found.isTouch ? found.way : way;
 }
 

@@ -72,8 +72,9 @@ constexpr double errorOfWays = 16.0 * std::numeric_limits<double>::epsilon();
 /// Of what is no more than a point, seen from the start: no face.
 void touchPoint(const glm::dvec3 &point, const MovingSphere &sphere, double limit, SweptFace &found);
 
-/// A way at which a sphere that had grown by a little touched a triangle, or that of the sphere where it does.
-[[nodiscard]] double refined(double way, const Triangle &triangle, const MovingSphere &sphere);
+/// A way at which a sphere that had grown by a little touched a triangle, or that of the sphere itself where that is no
+/// more than the slack later: what lies beyond was passed over.
+[[nodiscard]] double refined(double way, const Triangle &triangle, const MovingSphere &sphere, double slack);
 
 /// Puts in where a path touches a triangle, seen from its start, and when.
 void place(Touch &touch, const Path &path, double way, const Triangle &triangle);

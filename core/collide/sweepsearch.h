@@ -208,11 +208,14 @@ private:
         take(frame);
     }
 
+    /// What is touched no more than that earlier than what was found is passed over.
+    [[nodiscard]] double slackOf(const Frame &frame) const { return m_slack + 2.0 * frame.error(); }
+
     void take(const Frame &frame)
     {
         drop(m_latest.lower);
         if (m_latest.way < infinity) {
-            m_until = earlierThan(m_latest.way, m_slack + 2.0 * frame.error());
+            m_until = earlierThan(m_latest.way, slackOf(frame));
             m_isFound = true;
             m_first = m_latest;
             m_firstFrame = frame;
@@ -224,7 +227,12 @@ private:
     {
         ++m_cost.nodeVisits;
         const Known &known = knownOf(state);
-        const double error = m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.scaleOf(frame);
+        if (known.children.empty()) {
+            stepBack();
+            return;
+        }
+        const double error =
+            m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.magnitudeOf(frame, known.bounds);
         const std::size_t first = m_ways.size();
         m_nodes.push_back({&known, frame, error, first});
         const std::size_t count = blocksFor(known.children.size()) * laneCount;
@@ -277,7 +285,7 @@ private:
         touch.cost = m_cost;
         if (m_isFound) {
             touch.face = m_first.face;
-            touch.time = path.timeOf(m_frames.finish(m_firstFrame, m_first, m_firstPath, touch));
+            touch.time = path.timeOf(m_frames.finish(m_firstFrame, m_first, m_firstPath, slackOf(m_firstFrame), touch));
             m_states.fillAddress(m_firstPath, touch.address);
         }
         prove(touch, path, m_lower, sweep);

@@ -46,7 +46,7 @@ private:
     /// The points of a subset, the nearest point to p of the flat through them, if it is inside.
     void consider(unsigned subset)
     {
-        std::array<glm::dvec3, 4> chosen;
+        std::array<glm::dvec3, 4> chosen{};
         std::size_t count = 0;
         for (std::size_t i = 0; i <= m_count; ++i) {
             if ((subset >> i & 1) != 0) {

@@ -96,6 +96,7 @@ class TestEqualProducts : public QObject
 private Q_SLOTS:
     void everyPlaceIsMet_data();
     void everyPlaceIsMet();
+    void whatIsFarSmallerThanItsMeshStays();
     void distancesStay_data();
     void distancesStay();
     void nothingIsLeftOutOfOthers();
@@ -120,7 +121,7 @@ void TestEqualProducts::everyPlaceIsMet()
     for (const bool holdsIdentity : {false, true}) {
         const naive::Fractal fractal = repeated(maps, 4, holdsIdentity);
         const Built it = built(fractal, mesh);
-        const EqualProducts products(it.graph, it.boxes);
+        const EqualProducts products(it.graph);
         std::set<std::vector<long long>> all;
         std::set<std::vector<long long>> met;
         int metCount = 0;
@@ -168,13 +169,43 @@ void TestEqualProducts::distancesStay()
     }
 }
 
+/// What is alike is so in parts of what is placed there, whatever the mesh's own size is.
+void TestEqualProducts::whatIsFarSmallerThanItsMeshStays()
+{
+    std::mt19937_64 random(3);
+    for (const double shrinking : {1.0, 1e-6, 1e-9, 1e-12, 1e-15}) {
+        naive::Fractal fractal = repeated(turns(), 3);
+        fractal.maps.push_back({glm::dmat3(shrinking), glm::dvec3(0.3, 0, 0)});
+        fractal.sets.push_back({{4}, false});
+        fractal.items.push_back({0, 1, {}});
+        Mesh mesh = randomMesh(random);
+        for (glm::dvec3 &vertex : mesh.vertices) {
+            vertex /= shrinking;
+        }
+        const Built it = built(fractal, mesh);
+        const auto exact = ExactCollider::create(it.graph, it.boxes, mesh);
+        const SimpleCollider simple(it.graph, mesh);
+        for (int i = 0; i < 50; ++i) {
+            const glm::dvec3 p = randomPoint(random, 2.0);
+            Hit least;
+            simple.search()->closest({p}, least);
+            for (const auto &search : {exact->search(), exact->searchPlaced({})}) {
+                Hit hit;
+                search->closest({p}, hit);
+                QVERIFY(std::abs(hit.distance - least.distance) <= 1e-13);
+                QVERIFY(hit.lower <= least.distance && hit.lower >= least.distance - 1e-11);
+                QVERIFY(hit.face != Mesh::none);
+            }
+        }
+    }
+}
+
 void TestEqualProducts::nothingIsLeftOutOfOthers()
 {
     std::mt19937_64 random(2);
     for (int i = 0; i < 300; ++i) {
         const RandomFractal sample = randomFractalWithMesh(random, 0.8);
-        const BoxBounds boxes(sample.graph, sample.mesh);
-        const EqualProducts products(sample.graph, boxes);
+        const EqualProducts products(sample.graph);
         for (SetId set = 0; set < sample.graph.setCount(); ++set) {
             const auto &maps = sample.graph.set(set).maps;
             for (std::uint32_t map = 0; map < maps.size(); ++map) {
@@ -208,7 +239,7 @@ void TestEqualProducts::nothingIsLeftOutWhereMapsAreShared()
     fractal.items.push_back({0, 1, {}});
     const Built it = built(fractal, mesh);
     QVERIFY(it.graph.setsShareMaps());
-    const EqualProducts products(it.graph, it.boxes);
+    const EqualProducts products(it.graph);
     for (std::uint32_t map = 0; map < 6; ++map) {
         QVERIFY(products.leftOutAfter(0, map).empty());
     }

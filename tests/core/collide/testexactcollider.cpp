@@ -76,6 +76,7 @@ private Q_SLOTS:
     void whatIsVeryFarIsFound();
     void whatIsRoundedMoreIsBoundedByMore();
     void nothingBeyondTheRadiusCounts();
+    void aRadiusThatHoldsTheNearestSavesVisits();
     void anExcessIsKept();
     void anExcessEndsTheWayDown();
     void aSpentBudgetIsAdmitted();
@@ -274,6 +275,34 @@ void TestExactCollider::nothingBeyondTheRadiusCounts()
             }
             QVERIFY(visitsWithin < visits);
         }
+    }
+}
+
+void TestExactCollider::aRadiusThatHoldsTheNearestSavesVisits()
+{
+    std::mt19937_64 random(62);
+    for (const char *name : {"mild-tree", "rotated-tree", "uneven-scales"}) {
+        const Sample fractal = sample(QString::fromLatin1(name), 8, workloads);
+        const BoxBounds boxes(fractal.graph, fractal.mesh);
+        const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh);
+        const auto search = collider->search();
+        const double size = fractal.graph.bound(0).radius;
+        std::uint64_t cold = 0;
+        std::uint64_t warm = 0;
+        for (int i = 0; i < 300; ++i) {
+            const glm::dvec3 before = fractal.graph.bound(0).centre + randomPoint(random, size);
+            const glm::dvec3 p = before + randomPoint(random, 1e-3 * size);
+            Hit last;
+            Hit hit;
+            Hit same;
+            search->closest({before}, last);
+            search->closest({p}, hit);
+            search->closest({p, (last.distance + glm::distance(before, p)) * (1 + 1e-12)}, same);
+            QCOMPARE(same.distance, hit.distance);
+            cold += hit.cost.nodeVisits;
+            warm += same.cost.nodeVisits;
+        }
+        QVERIFY2(warm < cold, qPrintable(QStringLiteral("%1 of %2").arg(warm).arg(cold)));
     }
 }
 

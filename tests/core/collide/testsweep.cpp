@@ -110,6 +110,7 @@ private Q_SLOTS:
     void theFirstTouchOfAllFacesIsFound();
     void whatIsRoundedMoreIsGrownForByMore();
     void whatIsVeryFarIsTouched();
+    void whatIsNearlyGlidedAlongHidesNothing();
     void stoppingIsHeard();
     void greedyTouchesWhatItDescendsTo();
     void octreesTouchTheirWalls();
@@ -248,6 +249,36 @@ void TestSweep::whatIsVeryFarIsTouched()
         QVERIFY(std::abs(touch.time * speed - 3) < 1e-13 && std::abs(touch.lower * speed - 3) < 1e-13);
         bvh.search()->sweep({.p = {1, 1, 0}, .v = {0, 0, -speed}, .time = infinity, .radius = 2}, touch);
         QVERIFY(!touch.isFound() && touch.lower == infinity);
+    }
+}
+
+/// A floor that a sphere all but touches, and comes to touch much later than a wall.
+void TestSweep::whatIsNearlyGlidedAlongHidesNothing()
+{
+    for (const int levels : {0, 1, 4}) {
+        for (const double stretch : {0.5, 0.499}) {
+            naive::Fractal fractal;
+            fractal.maps = {mapFromParts({0, 0, 0}, {0, 0, 0}, {0.5, stretch, 0.5})};
+            fractal.sets = {{{0}, false}};
+            fractal.items.assign(static_cast<std::size_t>(levels), {0, 0, {}});
+            Mesh mesh;
+            mesh.vertices = {{-20, -20, 0}, {20, -20, 0}, {0, 30, 0}, {5, -20, -5}, {5, 20, -5}, {5, 0, 30}};
+            for (glm::dvec3 &vertex : mesh.vertices) {
+                vertex *= std::exp2(levels);
+            }
+            mesh.faces.push_back({0, 1, 2});
+            mesh.faces.push_back({3, 4, 5});
+            const auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
+            const BoxBounds boxes(*graph, mesh);
+            const auto exact = ExactCollider::create(*graph, boxes, mesh);
+            for (const double gap : {3e-15, 3e-14, 3e-13, 6e-13, 1e-12}) {
+                Touch touch;
+                exact->search()->sweep({.p = {0, 0, 0.5 + gap}, .v = {1, 0, -gap / 8}, .time = 20, .radius = 0.5},
+                                       touch);
+                QVERIFY2(touch.time <= 4.5 + 1e-5, qPrintable(QString::number(touch.time)));
+                QVERIFY(touch.lower <= 4.5);
+            }
+        }
     }
 }
 
