@@ -21,7 +21,6 @@ std::vector<LanesOfPoint> inLanes(std::span<const glm::dvec3> points)
     return lanes;
 }
 
-constexpr std::size_t mostBytes = 64'000'000;
 /// What searches keep for a child, about.
 constexpr std::size_t bytesOfChild = 600;
 
@@ -47,6 +46,7 @@ const BoundedStates::Bounds &BoundedStates::bounds(StateId state)
         bounds.size = bounds.box.isEmpty() ? 0.0 : glm::length(bounds.box.size());
         if (bounds.hulls) {
             bounds.corners = inLanes(bounds.hulls->fine.corners);
+            m_bytes += bounds.corners.size() * sizeof(LanesOfPoint);
         }
         m_bounds.push_back(std::move(bounds));
     }
@@ -61,7 +61,7 @@ std::span<const DescentStep> BoundedStates::children(StateId state)
     Known &known = m_known[state];
     if (!known.isExpanded) {
         known = {true, listChildren(state)};
-        m_childCount += known.children.size();
+        m_bytes += known.children.size() * bytesOfChild;
     }
     return known.children;
 }
@@ -88,13 +88,18 @@ bool BoundedStates::isMesh(StateId state)
 
 bool BoundedStates::forgetIfLarge()
 {
-    if (m_table.memoryUse() + m_childCount * bytesOfChild <= mostBytes) {
+    const std::size_t bytes = m_table.memoryUse() + m_bytes;
+    if (std::exchange(m_hasForgotten, false)) {
+        m_mostBytes = std::max(m_mostBytes, 2 * bytes);
+    }
+    if (bytes <= m_mostBytes) {
         return false;
     }
     m_table.forget();
     m_bounds.clear();
     m_known.clear();
-    m_childCount = 0;
+    m_bytes = 0;
+    m_hasForgotten = true;
     return true;
 }
 

@@ -46,7 +46,8 @@ public:
     /// Whether a state is the base mesh and nothing else.
     [[nodiscard]] bool isMesh(StateId state);
 
-    /// Back to the root where it holds more than some tens of megabytes: every other StateId is void then. Whether so.
+    /// Back to the root where it holds more than some tens of megabytes, and than twice what it grew to by one search: every
+    /// other StateId is void then. Whether so. Asked before each search.
     bool forgetIfLarge();
 
     /// The address of a way from the root.
@@ -68,7 +69,10 @@ private:
     /// By state.
     std::deque<Bounds> m_bounds;
     std::deque<Known> m_known;
-    std::size_t m_childCount = 0;
+    /// Of what grows with them.
+    std::size_t m_bytes = 0;
+    std::size_t m_mostBytes = 64'000'000;
+    bool m_hasForgotten = false;
     std::vector<Positions> m_reached;
 };
 
