@@ -31,11 +31,12 @@ struct Point {
     Vector z;
 };
 
+/// From anywhere: vectors of lanes by themselves are not aligned.
 HWY_INLINE Point load(const LanesOfPoint &lanes, std::size_t lane)
 {
     const Tag tag;
-    return {hn::Load(tag, lanes[0].data() + lane), hn::Load(tag, lanes[1].data() + lane),
-            hn::Load(tag, lanes[2].data() + lane)};
+    return {hn::LoadU(tag, lanes[0].data() + lane), hn::LoadU(tag, lanes[1].data() + lane),
+            hn::LoadU(tag, lanes[2].data() + lane)};
 }
 
 HWY_INLINE void store(const Point &v, LanesOfPoint &lanes, std::size_t lane)
