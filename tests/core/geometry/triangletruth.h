@@ -57,7 +57,8 @@ T distance(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
     return sqrt(*least);
 }
 
-/// The way to p from the point of a triangle that is nearest to it: of the feet on its vertices, edges and face.
+/// The way to p from the point of a triangle that is nearest to it: of the feet on its vertices, edges and face. Of one
+/// that is flat, but for what the digits tell of its plane, the edges are enough.
 template<typename T>
 Vector<T> wayFrom(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
 {
@@ -84,7 +85,7 @@ Vector<T> wayFrom(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
         const T determinant = uu * vv - uv * uv;
         const T s = vv * dot(u, way) - uv * dot(v, way);
         const T t = uu * dot(v, way) - uv * dot(u, way);
-        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+        if (determinant > 1e-24 * uu * vv && s >= 0 && t >= 0 && s + t <= determinant) {
             consider(after(s / determinant, t / determinant));
         }
     }

@@ -13,12 +13,14 @@ namespace romanesco::test {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 using Kind = ColliderKind;
 using ItemKind = SceneDescription::Kind;
 
-SweepTruth truthOf(const Written &written)
+/// With the fractal of an item in its place, its mesh and the way to the copy.
+template<typename Use>
+void forEachCopy(const Written &written, Use &&use)
 {
-    SweepTruth truth;
     for (std::size_t i = 0; i < written.items.size(); ++i) {
         const RandomFractal &sample = written.fractals[written.fractalOfItem[i]];
         naive::Fractal placed = sample.fractal;
@@ -26,11 +28,31 @@ SweepTruth truthOf(const Written &written)
         for (naive::Picks picks : naive::allPicks(placed.levels())) {
             picks.insert(picks.begin(), static_cast<int>(placed.maps.size()) - 1);
             if (written.items[i].kind != ItemKind::Ball) {
-                truth.add(placed, sample.mesh, picks);
+                use(placed, sample.mesh, picks);
             }
         }
     }
+}
+
+SweepTruth truthOf(const Written &written)
+{
+    SweepTruth truth;
+    forEachCopy(written, [&](const naive::Fractal &placed, const Mesh &mesh, const naive::Picks &picks) {
+        truth.add(placed, mesh, picks);
+    });
     return truth;
+}
+
+std::vector<WideTriangle> facesOf(const Written &written)
+{
+    std::vector<WideTriangle> faces;
+    forEachCopy(written, [&](const naive::Fractal &fractal, const Mesh &mesh, const naive::Picks &picks) {
+        for (const Mesh::Face &face : mesh.faces) {
+            const auto corner = [&](std::size_t i) { return placed(picks, fractal.maps, mesh.vertices[face[i]]); };
+            faces.push_back({corner(0), corner(1), corner(2)});
+        }
+    });
+    return faces;
 }
 
 }
@@ -42,6 +64,8 @@ class TestSceneSweep : public QObject
 private Q_SLOTS:
     void theFirstTouchOfAllItemsIsFound_data();
     void theFirstTouchOfAllItemsIsFound();
+    void whatAMotionComesNearerToIsFound_data();
+    void whatAMotionComesNearerToIsFound();
     void itemsBehindOthersAreNotSearched();
     void aBudgetIsForAllItems();
     void itemsFarAwayAreProvedToo();
@@ -117,6 +141,55 @@ void TestSceneSweep::theFirstTouchOfAllItemsIsFound()
         }
     }
     QVERIFY2(touched > 50 && missed > 30, qPrintable(QStringLiteral("%1 %2").arg(touched).arg(missed)));
+}
+
+void TestSceneSweep::whatAMotionComesNearerToIsFound_data()
+{
+    QTest::addColumn<Kind>("kind");
+    QTest::newRow("exact") << Kind::Exact;
+    QTest::newRow("bvh") << Kind::Bvh;
+    QTest::newRow("simple") << Kind::Simple;
+}
+
+/// Of all faces of items that are turned, mirrored and sheared; what is beside p may count or not.
+void TestSceneSweep::whatAMotionComesNearerToIsFound()
+{
+    QFETCH(const Kind, kind);
+    std::mt19937_64 random(86);
+    int found = 0;
+    for (int round = 0; round < 40; ++round) {
+        const Written written = randomScene(random);
+        const SceneCollider collider = SceneCollider::create(sceneOf(written.items), {kind, 0.01}).value();
+        SceneSearch search(collider);
+        const std::vector<WideTriangle> faces = facesOf(written);
+        for (int i = 0; i < 4; ++i) {
+            const glm::dvec3 p = randomPoint(random, 8);
+            const glm::dvec3 motion = randomPoint(random, 1);
+            double atLeast = infinity;
+            double atMost = infinity;
+            for (const WideTriangle &triangle : faces) {
+                const truth::Vector<Wide> way = truth::wayFrom<Wide>(triangle, wide(p));
+                const auto distance = static_cast<double>(sqrt(truth::dot(way, way)));
+                const auto along = static_cast<double>(truth::dot(way, wide(motion)));
+                const double beside = 1e-9 * distance * glm::length(motion);
+                atLeast = along < beside ? std::min(atLeast, distance) : atLeast;
+                atMost = along < -beside ? std::min(atMost, distance) : atMost;
+            }
+            Hit hit;
+            search.closest({.p = p, .motion = motion}, hit);
+            const double rounding = 1e-12 * (glm::length(p) + 40);
+            QVERIFY2(hit.distance >= atLeast - rounding && hit.distance <= atMost + rounding,
+                     qPrintable(QStringLiteral("round %1, %2: %3, but %4 to %5")
+                                    .arg(round)
+                                    .arg(i)
+                                    .arg(hit.distance, 0, 'g', 17)
+                                    .arg(atLeast, 0, 'g', 17)
+                                    .arg(atMost, 0, 'g', 17)));
+            QVERIFY(hit.lower <= atMost + rounding);
+            found += hit.isFound() ? 1 : 0;
+        }
+    }
+    QVERIFY2(found > 60, qPrintable(QString::number(found)));
 }
 
 void TestSceneSweep::itemsBehindOthersAreNotSearched()
