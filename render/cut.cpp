@@ -72,6 +72,7 @@ void Cut::begin(const Projector &projector, const AffineMap &worldFromModel, dou
     m_memory = 0;
     m_open.clear();
     m_ready.clear();
+    m_tints.clear();
     m_handedOut = false;
 
     // |x| <= z / scaleX for perspective, |x| <= 1 / scaleX for orthographic, and so for y; z >= near.
@@ -89,16 +90,16 @@ void Cut::begin(const Projector &projector, const AffineMap &worldFromModel, dou
         return;
     }
     const double norm = operatorNorm(worldFromModel.linear) / projector.unit;
-    const Node root{m_table.root(), allPlanes, projector.cameraFrom(worldFromModel), norm};
+    const Node root{m_table.root(), allPlanes, projector.cameraFrom(worldFromModel), norm, m_tinter.atRoot()};
     const Sphere bound = transformed(root.map, norm, m_table.state(root.state).bound);
     unsigned planes = allPlanes;
     if (isOutside(bound, planes)) {
         return;
     }
     if (isSmall(bound)) {
-        place(root.map, root.state, false);
+        place(root.map, root.state, root.marks, false);
     } else {
-        m_open.push_back({root.state, planes, root.map, norm});
+        m_open.push_back({root.state, planes, root.map, norm, root.marks});
     }
 }
 
@@ -106,6 +107,7 @@ const std::vector<Instance> &Cut::next(std::size_t count)
 {
     if (m_handedOut) {
         m_ready.clear();
+        m_tints.clear();
     }
     for (std::size_t visits = 0; !m_open.empty() && m_ready.size() < count && visits < 4 * count; ++visits) {
         const Node node = m_open.back();
@@ -124,7 +126,8 @@ const std::vector<Instance> &Cut::next(std::size_t count)
 
 std::size_t Cut::memoryHeld() const
 {
-    return m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_table.memoryUse();
+    return m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_tints.capacity() * sizeof(Tint)
+        + m_table.memoryUse();
 }
 
 void Cut::forget()
@@ -133,6 +136,12 @@ void Cut::forget()
     // assigning {} would keep the memory
     m_open = std::vector<Node>();
     m_ready = std::vector<Instance>();
+    m_tints = std::vector<Tint>();
+}
+
+void Cut::setColours(Colouring colouring, const Address *selected)
+{
+    m_tinter = Tinter(m_model.graph, colouring, selected);
 }
 
 void Cut::visit(const Node &node)
@@ -140,7 +149,7 @@ void Cut::visit(const Node &node)
     ++m_visited;
     const Expansion &expansion = m_table.expansion(node.state);
     if (expansion.hasLeaf) {
-        place(node.map, node.state, true);
+        place(node.map, node.state, node.marks, true);
     }
     const std::vector<Sphere> &bounds = m_table.childBounds(node.state);
     std::size_t child = 0;
@@ -161,17 +170,18 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
     }
     const FractalGraph &graph = m_model.graph;
     const AffineMap composed = node.map * graph.set(range.set).maps[map];
+    const Marks marks = m_tinter.below(node.marks, range.set, map);
     if (isSmall(seen)) {
-        place(composed, range.next, false);
+        place(composed, range.next, marks, false);
         return;
     }
     const double norm = std::min(node.norm * graph.facts(range.set)[map].norm, frobeniusNorm(composed.linear));
-    m_open.push_back({range.next, planes, composed, norm});
+    m_open.push_back({range.next, planes, composed, norm, marks});
 }
 
 /// Of the base mesh, moved to the unit sphere. Where it stands for more than itself (isWhole is false) and lies outside
 /// the bound of all that, it is fitted into that bound: a last level may move or shrink it far.
-void Cut::place(const AffineMap &map, StateId state, bool isWhole)
+void Cut::place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole)
 {
     const Sphere &base = m_model.graph.base();
     glm::dvec3 centre = base.centre;
@@ -190,6 +200,9 @@ void Cut::place(const AffineMap &map, StateId state, bool isWhole)
             instance.rows[row][column] = static_cast<float>(map.linear[column][row] * radius);
         }
         instance.rows[row][3] = static_cast<float>(translation[row]);
+    }
+    if (m_tinter.isNeeded()) {
+        m_tints.push_back(m_tinter.tint(marks));
     }
 }
 

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "camera.h"
 #include "core/fractal/statetable.h"
 #include "core/scene/scene.h"
+#include "tint.h"
 
 namespace romanesco {
 
@@ -61,9 +63,14 @@ public:
     /// in view and larger than a millionth of a pixel.
     void begin(const Projector &projector, const AffineMap &worldFromModel, double pixelTolerance);
 
+    /// From the next begin() on: how copies are coloured, and an address whose copies stand out, or null.
+    void setColours(Colouring colouring, const Address *selected);
+
     /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
     /// walked without finding any, so that each call is short. The reference holds until the next call.
     [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
+    /// Beside those; empty where copies have no colours of their own.
+    [[nodiscard]] const std::vector<Tint> &tints() const { return m_tints; }
 
     /// Nothing is left to be found.
     [[nodiscard]] bool isComplete() const { return m_open.empty() && m_handedOut; }
@@ -86,6 +93,7 @@ private:
         AffineMap map;
         /// At least the operator norm of the map.
         double norm;
+        Marks marks;
     };
     struct Plane {
         glm::dvec3 normal;
@@ -94,7 +102,7 @@ private:
 
     void visit(const Node &node);
     void addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound);
-    void place(const AffineMap &map, StateId state, bool isWhole);
+    void place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole);
     [[nodiscard]] bool isOutside(const Sphere &sphere, unsigned &planes) const;
     [[nodiscard]] bool isSmall(const Sphere &sphere) const;
     void forgetStates();
@@ -103,6 +111,8 @@ private:
     StateTable m_table;
     std::vector<Node> m_open;
     std::vector<Instance> m_ready;
+    std::vector<Tint> m_tints;
+    Tinter m_tinter;
     std::array<Plane, 5> m_planes;
     Projector m_projector;
     double m_tolerance = 1.0;

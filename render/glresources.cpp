@@ -45,10 +45,9 @@ GlVertexArray makeVertexArray()
     return GlVertexArray(name);
 }
 
-std::expected<GlProgram, std::string> makeProgram(const char *vertex, const char *fragment)
+std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderStage> stages)
 {
     GlProgram program(glCreateProgram());
-    const std::pair<GLenum, const char *> stages[] = {{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}};
     for (const auto &[kind, source] : stages) {
         const GLuint shader = glCreateShader(kind);
         glShaderSource(shader, 1, &source, nullptr);

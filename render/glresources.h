@@ -3,6 +3,7 @@
 #pragma once
 
 #include <expected>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -76,8 +77,13 @@ using GlProgram = GlName<deleteProgram>;
 [[nodiscard]] GlBuffer makeBuffer();
 [[nodiscard]] GlVertexArray makeVertexArray();
 
+struct ShaderStage {
+    GLenum kind;
+    const char *source;
+};
+
 /// A linked program, or the compiler's or linker's words.
-[[nodiscard]] std::expected<GlProgram, std::string> makeProgram(const char *vertex, const char *fragment);
+[[nodiscard]] std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderStage> stages);
 
 /// A colour texture, with a 32-bit float depth buffer where asked for, to draw into.
 struct Target {

@@ -5,18 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <format>
-#include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 #include <epoxy/gl.h>
 
+#include "copyring.h"
 #include "glresources.h"
-#include "gpumesh.h"
+#include "gpuscene.h"
 #include "scenecut.h"
 #include "shaders.h"
+#include "surfaces.h"
 
 namespace romanesco {
 
@@ -24,9 +25,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Copies travel to the card in chunks, through a ring that the card has mapped all the time: 3 MB.
-constexpr std::size_t chunkSize = 8'192;
-constexpr std::size_t chunkCount = 8;
 /// Of one draw call. In software these take about ten milliseconds, which is how finely a slice can end.
 constexpr std::size_t mostFaces = 100'000;
 
@@ -50,13 +48,7 @@ std::array<double, 2> samplePlace(int i, int n)
 class Renderer::Private
 {
 public:
-    ~Private()
-    {
-        for (GLsync &fence : m_chunkFences) {
-            glDeleteSync(fence);
-        }
-        glDeleteSync(m_passFence);
-    }
+    ~Private() { glDeleteSync(m_passFence); }
 
     std::expected<void, std::string> initialise()
     {
@@ -66,22 +58,21 @@ public:
                 std::format("Drawing needs OpenGL 4.5; this system offers {}.", version ? version : "none"));
         }
         const std::pair<GlProgram *, std::pair<const char *, const char *>> programs[] = {
-            {&m_instanceProgram, {shaders::instance_vert, shaders::instance_frag}},
             {&m_accumulateProgram, {shaders::fullscreen_vert, shaders::accumulate_frag}},
             {&m_presentProgram, {shaders::fullscreen_vert, shaders::present_frag}},
         };
         for (const auto &[program, stages] : programs) {
-            auto made = makeProgram(stages.first, stages.second);
+            auto made = makeProgram({{GL_VERTEX_SHADER, stages.first}, {GL_FRAGMENT_SHADER, stages.second}});
             if (!made) {
                 return std::unexpected(made.error());
             }
             *program = std::move(*made);
         }
-        if (!makeRing()) {
+        if (!m_ring.make()) {
             return std::unexpected(std::string("The graphics driver has no room for the drawing buffers."));
         }
-        makeVertexArrays();
-        return {};
+        m_emptyArray = makeVertexArray();
+        return m_surfaces.make();
     }
 
     void setScene(std::shared_ptr<const Scene> scene) { m_nextScene = std::move(scene); }
@@ -95,7 +86,7 @@ public:
         if (m_scene != m_nextScene) {
             m_cut.reset();
             m_scene = m_nextScene;
-            uploadMeshes();
+            uploadScene();
             if (m_scene) {
                 m_cut.emplace(*m_scene);
             }
@@ -173,7 +164,7 @@ public:
     [[nodiscard]] DrawStatistics statistics() const
     {
         DrawStatistics statistics = m_statistics;
-        statistics.bufferBytes = chunkSize * chunkCount * sizeof(Instance) + m_meshBytes;
+        statistics.bufferBytes = CopyRing::bytes() + m_onCard.bytes();
         statistics.graphBytes = m_cut ? m_cut->memoryUse() + m_graphBytes : 0;
         return statistics;
     }
@@ -188,57 +179,15 @@ private:
 
     // ---- Resources
 
-    bool makeRing()
+    void uploadScene()
     {
-        constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
-        constexpr GLsizeiptr bytes = chunkCount * chunkSize * sizeof(Instance);
-        m_ring = makeBuffer();
-        glNamedBufferStorage(m_ring, bytes, nullptr, access);
-        m_mapped = static_cast<Instance *>(glMapNamedBufferRange(m_ring, 0, bytes, access));
-        return m_mapped != nullptr;
-    }
-
-    void makeVertexArrays()
-    {
-        m_emptyArray = makeVertexArray();
-        m_array = makeVertexArray();
-        constexpr GLuint meshBinding = 0;
-        constexpr GLuint instanceBinding = 1;
-        glEnableVertexArrayAttrib(m_array, 0);
-        glVertexArrayAttribFormat(m_array, 0, 3, GL_FLOAT, GL_FALSE, 0);
-        glVertexArrayAttribBinding(m_array, 0, meshBinding);
-        for (GLuint row = 0; row < 3; ++row) {
-            glEnableVertexArrayAttrib(m_array, 1 + row);
-            glVertexArrayAttribFormat(m_array, 1 + row, 4, GL_FLOAT, GL_FALSE, row * sizeof(Instance::rows[0]));
-            glVertexArrayAttribBinding(m_array, 1 + row, instanceBinding);
-        }
-        glVertexArrayBindingDivisor(m_array, instanceBinding, 1);
-        glVertexArrayVertexBuffer(m_array, instanceBinding, m_ring, 0, sizeof(Instance));
-    }
-
-    /// Those of the scene that are not on the card yet; all others go.
-    void uploadMeshes()
-    {
-        std::map<std::shared_ptr<const Mesh>, GpuMesh> meshes;
-        m_meshBytes = 0;
+        m_onCard.set(m_scene.get(), m_ring);
         m_graphBytes = 0;
-        std::set<std::shared_ptr<const Model>> models;
-        if (m_scene) {
-            for (const SceneItem &item : m_scene->items) {
-                models.insert(item.model);
-            }
+        std::set<const Model *> models;
+        for (std::size_t i = 0; m_scene && i < m_scene->items.size(); ++i) {
+            const Model *model = m_scene->items[i].model.get();
+            m_graphBytes += models.insert(model).second ? model->graph.memoryUse() : 0;
         }
-        for (const std::shared_ptr<const Model> &model : models) {
-            m_graphBytes += model->graph.memoryUse();
-            const auto [place, isNew] = meshes.try_emplace(model->mesh);
-            if (isNew) {
-                const auto known = m_meshes.find(model->mesh);
-                place->second =
-                    known != m_meshes.end() ? std::move(known->second) : upload(*model->mesh, model->graph.base());
-                m_meshBytes += place->second.bytes;
-            }
-        }
-        m_meshes = std::move(meshes);
     }
 
     // ---- Passes
@@ -249,7 +198,15 @@ private:
         m_isDrawn = false;
         if (m_cut) {
             m_projector.emplace(m_view.camera, *m_scene, m_view.width, m_view.height);
-            m_cut->begin(*m_projector, m_view.pixelTolerance);
+            m_cut->begin(*m_projector, m_view.pixelTolerance, m_view.appearance.colours);
+        }
+        if (m_cut) {
+            const Surfaces::Pass pass{*m_projector, m_view.width, m_view.height, samplePlace(m_passes, m_view.samples),
+                                      static_cast<unsigned>(m_passes)};
+            if (const auto begun = m_surfaces.beginPass(pass, *m_scene, m_view.appearance); !begun) {
+                fail(begun.error());
+                return;
+            }
         }
         const GLfloat nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
         const GLfloat farthest = 0.0f;
@@ -266,36 +223,27 @@ private:
             glFlush();
             return;
         }
-        const GpuMesh &mesh = m_meshes.at(m_cut->model().mesh);
-        const std::size_t copiesPerDraw = std::clamp<std::size_t>(mostFaces / (mesh.faceCount + 1), 1, chunkSize);
-        const std::vector<Instance> &instances = m_cut->next(copiesPerDraw);
-        if (instances.empty()) {
+        const Model &model = m_cut->model();
+        const std::size_t faces = model.mesh->faces.size();
+        const std::size_t copiesPerDraw = std::clamp<std::size_t>(mostFaces / (faces + 1), 1, CopyRing::chunkSize);
+        const std::span<const Instance> copies = m_cut->next(copiesPerDraw);
+        const std::span<const Tint> tints = m_cut->tints();
+        if (copies.empty()) {
             return;
         }
-        bindForDrawing(mesh);
-        for (std::size_t at = 0; at < instances.size(); at += copiesPerDraw) {
-            const std::size_t count = std::min(copiesPerDraw, instances.size() - at);
-            GLsync &fence = m_chunkFences[m_chunk];
-            waitFor(fence);
-            std::memcpy(m_mapped + m_chunk * chunkSize, instances.data() + at, count * sizeof(Instance));
-            glDrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.indexCount, GL_UNSIGNED_INT, nullptr,
-                                                static_cast<GLsizei>(count), static_cast<GLuint>(m_chunk * chunkSize));
-            fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-            m_chunk = (m_chunk + 1) % chunkCount;
+        bindForDrawing();
+        for (std::size_t at = 0; at < copies.size(); at += copiesPerDraw) {
+            const std::size_t count = std::min(copiesPerDraw, copies.size() - at);
+            const bool hasTints = !tints.empty();
+            const GLuint first =
+                m_ring.put(copies.subspan(at, count), hasTints ? tints.subspan(at, count) : std::span<const Tint>());
+            m_surfaces.draw(m_onCard, model, first, count, hasTints);
+            m_ring.sent();
         }
         glFlush();
     }
 
-    static void waitFor(GLsync &fence)
-    {
-        while (fence && glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, 1'000'000'000) == GL_TIMEOUT_EXPIRED) {
-            // The card still reads this part of the ring.
-        }
-        glDeleteSync(fence);
-        fence = nullptr;
-    }
-
-    void bindForDrawing(const GpuMesh &mesh) const
+    void bindForDrawing() const
     {
         glBindFramebuffer(GL_FRAMEBUFFER, m_pass.framebuffer);
         glViewport(0, 0, m_pass.width, m_pass.height);
@@ -307,18 +255,6 @@ private:
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);
         glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-
-        glUseProgram(m_instanceProgram);
-        const auto [x, y] = samplePlace(m_passes, m_view.samples);
-        const auto asFloat = [](double value) { return static_cast<float>(value); };
-        glUniform2f(0, asFloat(m_projector->scaleX), asFloat(m_projector->scaleY));
-        glUniform2f(1, asFloat(2.0 * x / m_view.width), asFloat(2.0 * y / m_view.height));
-        glUniform1i(2, m_projector->projection == Projection::Perspective);
-        glUniform1f(3, asFloat(m_projector->near));
-        glUniform1f(4, asFloat(m_projector->range));
-        glVertexArrayVertexBuffer(m_array, 0, mesh.vertices, 0, 3 * sizeof(GLfloat));
-        glVertexArrayElementBuffer(m_array, mesh.faces);
-        glBindVertexArray(m_array);
     }
 
     void waitForPass(Clock::time_point end)
@@ -379,18 +315,13 @@ private:
     Clock::time_point m_passStart;
     DrawStatistics m_statistics;
 
-    GlProgram m_instanceProgram;
     GlProgram m_accumulateProgram;
     GlProgram m_presentProgram;
-    GlVertexArray m_array;
     GlVertexArray m_emptyArray;
-    std::map<std::shared_ptr<const Mesh>, GpuMesh> m_meshes;
-    std::size_t m_meshBytes = 0;
+    CopyRing m_ring;
+    GpuScene m_onCard;
+    Surfaces m_surfaces;
     std::size_t m_graphBytes = 0;
-    GlBuffer m_ring;
-    Instance *m_mapped = nullptr;
-    std::array<GLsync, chunkCount> m_chunkFences{};
-    std::size_t m_chunk = 0;
     GLsync m_passFence = nullptr;
     Target m_pass;
     Target m_sum;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "appearance.h"
 #include "camera.h"
 #include "core/scene/scene.h"
 
@@ -24,6 +25,7 @@ struct View {
     double pixelTolerance = 1.0;
     /// Pictures with shifted pixels that are averaged; 1 is exactly the pixel centre.
     int samples = 1;
+    Appearance appearance{};
     /// sRGB, 0 to 1: a gradient from the top edge to the bottom edge.
     std::array<float, 3> backgroundTop{0.13f, 0.14f, 0.17f};
     std::array<float, 3> backgroundBottom{0.06f, 0.06f, 0.08f};

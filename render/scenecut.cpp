@@ -28,11 +28,12 @@ SceneCut::SceneCut(const Scene &scene)
     }
 }
 
-void SceneCut::begin(const Projector &projector, double pixelTolerance)
+void SceneCut::begin(const Projector &projector, double pixelTolerance, const CopyColours &colours)
 {
     dropSpent();
     m_projector = projector;
     m_tolerance = pixelTolerance;
+    m_colours = colours;
     m_item = 0;
     m_isItemBegun = false;
     m_instances = 0;
@@ -46,9 +47,13 @@ const std::vector<Instance> &SceneCut::next(std::size_t count)
     Part &part = m_parts[m_partOf[m_item]];
     if (!m_isItemBegun) {
         m_isItemBegun = true;
+        const std::optional<Selection> &selection = m_colours.selection;
+        const bool isSelected = selection && selection->item == m_item;
+        part.cut.setColours(m_colours.colouring, isSelected ? &selection->address : nullptr);
         part.cut.begin(m_projector, m_scene.items[m_item].worldFromModel, m_tolerance);
     }
     const std::vector<Instance> &instances = part.cut.next(count);
+    m_tints = &part.cut.tints();
     const std::size_t others = m_bytes - part.bytes;
     m_memory = std::max(m_memory, others + part.cut.memoryUse());
     part.bytes = part.cut.memoryHeld();

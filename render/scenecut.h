@@ -18,7 +18,7 @@ public:
     explicit SceneCut(const Scene &scene);
 
     /// Starts over (see Cut::begin()).
-    void begin(const Projector &projector, double pixelTolerance);
+    void begin(const Projector &projector, double pixelTolerance, const CopyColours &colours = {});
 
     /// Nothing is left to be found.
     [[nodiscard]] bool isComplete() const { return m_item == m_scene.items.size(); }
@@ -27,6 +27,8 @@ public:
     /// The next copies of model(), about `count` of them, fewer or none (see Cut::next()). The reference holds until the
     /// next call.
     [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
+    /// Beside those; empty where copies have no colours of their own. Holds as long.
+    [[nodiscard]] const std::vector<Tint> &tints() const { return *m_tints; }
 
     /// Since begin(), of all items.
     [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
@@ -54,6 +56,8 @@ private:
     bool m_isItemBegun = false;
     Projector m_projector;
     double m_tolerance = 1.0;
+    CopyColours m_colours;
+    const std::vector<Tint> *m_tints = nullptr;
     std::uint64_t m_instances = 0;
     std::uint64_t m_visited = 0;
     std::size_t m_bytes = 0;

@@ -3,30 +3,110 @@
 // SPDX-FileCopyrightText: Romanesco authors
 
 layout(location = 0) in vec3 cameraPosition;
+layout(location = 1) in vec3 cameraNormal;
+layout(location = 2) in vec2 texturePlace;
+layout(location = 3) in vec3 colour;
+layout(location = 4) flat in vec4 tint;
+layout(location = 5) noperspective in vec3 edgeDistance;
 
-layout(location = 2) uniform bool isPerspective;
+layout(std140, binding = 0) uniform Pass {
+    vec2 scale;
+    vec2 jitter;
+    vec2 halfSize;
+    float near;
+    float range;
+    bool isPerspective;
+    bool isSmooth;
+    bool isLit;
+    uint number;
+    int lightCount;
+};
 
-layout(location = 0) out vec4 colour;
+// The material; colours are linear.
+layout(location = 0) uniform vec3 diffuse;
+layout(location = 1) uniform vec3 specular;
+layout(location = 2) uniform float shininess;
+layout(location = 3) uniform vec3 emission;
+layout(location = 4) uniform float opacity;
+layout(location = 5) uniform bool hasTexture;
+layout(binding = 0) uniform sampler2D diffuseTexture;
 
-// Linear colours.
-const vec3 surface = vec3(0.62, 0.53, 0.38);
+struct Light {
+    // In the camera's axes, in units of the view.
+    vec4 place;
+    vec4 colour;
+};
+layout(std430, binding = 0) readonly buffer Lights {
+    Light lights[];
+};
+
+layout(location = 0) out vec4 result;
+
 const vec3 sky = vec3(0.22, 0.26, 0.33);
 const vec3 ground = vec3(0.07, 0.055, 0.045);
+// The key light rides with the camera, above it and to the left, where the scene has no lights of its own.
 const vec3 sun = vec3(1.15, 1.08, 0.95);
-
-// The key light rides with the camera, above it and to the left.
 const vec3 toSun = normalize(vec3(-0.7, 0.75, -0.45));
+const vec3 wire = vec3(0.015, 0.018, 0.025);
+
+vec3 linearFromSrgb(vec3 c)
+{
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
+}
+
+// The same for the same place in the same pass (Jarzynski and Olano 2020, pcg3d).
+float noise(vec3 place)
+{
+    uvec3 v = floatBitsToUint(place) + uvec3(0u, 0u, number);
+    v = v * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    return float(v.x >> 8u) / 16777216.0;
+}
+
+vec3 shaded(vec3 own, vec3 normal, vec3 toViewer, vec3 toLight, vec3 light)
+{
+    float facing = max(dot(normal, toLight), 0.0);
+    float highlight = pow(max(dot(normal, normalize(toLight + toViewer)), 0.0), shininess);
+    return light * (own * facing + specular * highlight);
+}
 
 void main()
 {
     // The plane of the triangle, turned to the viewer: right for mirrored and sheared copies too.
-    vec3 normal = normalize(cross(dFdx(cameraPosition), dFdy(cameraPosition)));
+    vec3 plane = normalize(cross(dFdx(cameraPosition), dFdy(cameraPosition)));
     vec3 toViewer = isPerspective ? -normalize(cameraPosition) : vec3(0.0, 0.0, -1.0);
-    if (dot(normal, toViewer) < 0.0) {
-        normal = -normal;
+    plane = dot(plane, toViewer) < 0.0 ? -plane : plane;
+
+    vec4 texel = hasTexture ? texture(diffuseTexture, texturePlace) : vec4(1.0);
+    // What is see-through covers as many of the samples as it is opaque.
+    float solid = opacity * texel.a;
+    if (solid < 1.0 && noise(gl_FragCoord.xyz) >= solid) {
+        discard;
     }
-    float diffuse = max(dot(normal, toSun), 0.0);
-    float highlight = pow(max(dot(normal, normalize(toSun + toViewer)), 0.0), 40.0);
-    vec3 ambient = mix(ground, sky, 0.5 + 0.5 * normal.y);
-    colour = vec4(surface * (ambient + sun * diffuse) + 0.06 * sun * highlight, 1.0);
+    vec3 own = mix(diffuse * colour * texel.rgb, linearFromSrgb(tint.rgb), tint.a);
+
+    vec3 light = own;
+    if (isLit) {
+        vec3 normal = plane;
+        float size = length(cameraNormal);
+        if (isSmooth && size > 0.0) {
+            normal = cameraNormal / size;
+            normal = dot(normal, plane) < 0.0 ? -normal : normal;
+        }
+        light = own * mix(ground, sky, 0.5 + 0.5 * normal.y);
+        if (lightCount == 0) {
+            light += shaded(own, normal, toViewer, toSun, sun);
+        }
+        for (int i = 0; i < lightCount; ++i) {
+            vec3 toLight = normalize(lights[i].place.xyz - cameraPosition);
+            light += shaded(own, normal, toViewer, toLight, lights[i].colour.rgb);
+        }
+    }
+    light += emission;
+    float edge = min(edgeDistance.x, min(edgeDistance.y, edgeDistance.z));
+    result = vec4(mix(light, wire, 0.85 * (1.0 - smoothstep(0.4, 1.2, edge))), 1.0);
 }

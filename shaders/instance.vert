@@ -8,21 +8,47 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 row0;
 layout(location = 2) in vec4 row1;
 layout(location = 3) in vec4 row2;
+// sRGB, and how much of it lies over the surface's own colour.
+layout(location = 4) in vec4 copyTint;
+// Zero where the face is flat.
+layout(location = 5) in vec3 meshNormal;
+layout(location = 6) in vec2 meshTexture;
+layout(location = 7) in vec3 meshColour;
 
 // clip = (scale.xy * camera.xy + jitter * w, depth), where depth is reversed: 1 near, 0 far.
-layout(location = 0) uniform vec2 scale;
-layout(location = 1) uniform vec2 jitter;
-// Perspective: w = camera.z and depth = near / w. Orthographic: w = 1 and depth falls linearly over the range.
-layout(location = 2) uniform bool isPerspective;
-layout(location = 3) uniform float near;
-layout(location = 4) uniform float range;
+layout(std140, binding = 0) uniform Pass {
+    vec2 scale;
+    vec2 jitter;
+    vec2 halfSize;
+    // Perspective: w = camera.z and depth = near / w. Orthographic: w = 1 and depth falls linearly over the range.
+    float near;
+    float range;
+    bool isPerspective;
+    bool isSmooth;
+    bool isLit;
+    uint number;
+    int lightCount;
+};
 
 layout(location = 0) out vec3 cameraPosition;
+layout(location = 1) out vec3 cameraNormal;
+layout(location = 2) out vec2 texturePlace;
+layout(location = 3) out vec3 colour;
+layout(location = 4) flat out vec4 tint;
+// In pixels, where wires are drawn.
+layout(location = 5) noperspective out vec3 edgeDistance;
 
 void main()
 {
     vec4 point = vec4(position, 1.0);
     cameraPosition = vec3(dot(row0, point), dot(row1, point), dot(row2, point));
+    // The cofactors: right for sheared and flat copies too, but for the sign, which the fragment stage finds.
+    mat3 cofactors = mat3(cross(row1.xyz, row2.xyz), cross(row2.xyz, row0.xyz), cross(row0.xyz, row1.xyz));
+    cameraNormal = meshNormal * cofactors;
+    texturePlace = meshTexture;
+    colour = meshColour;
+    tint = copyTint;
+    edgeDistance = vec3(1e9);
     float w = isPerspective ? cameraPosition.z : 1.0;
     float depth = isPerspective ? near : 0.5 - 0.5 * cameraPosition.z / range;
     gl_Position = vec4(scale * cameraPosition.xy + jitter * w, depth, w);

@@ -13,6 +13,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "app/imagedecoder.h"
 #include "core/language/stability.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
@@ -148,7 +149,7 @@ int runCheck(const QStringList &arguments)
     }
 
     const DiskFiles disk;
-    SceneLoader loader(disk);
+    SceneLoader loader(disk, decodeImage);
     QJsonArray array;
     std::array<std::size_t, 3> counts{};
     for (const QString &name : *names) {

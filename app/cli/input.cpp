@@ -175,7 +175,7 @@ std::expected<std::string, std::string> readText(const QString &file)
     return input.readAll().toStdString();
 }
 
-std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser)
+std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser, ImageDecoder decoder)
 {
     const std::filesystem::path path = pathOf(file);
     const std::string shown = shownName(file);
@@ -198,7 +198,7 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     if (kind == FileKind::Fdo) {
         text = files.changed(std::move(*text));
     }
-    SceneResult result = SceneLoader(files).load(path, *text);
+    SceneResult result = SceneLoader(files, std::move(decoder)).load(path, *text);
     if (result.scene && files.isInVain()) {
         complain(QStringLiteral("--depth needs a depth in the file, as in \"<$>. z 6\""));
         return std::unexpected(WrongUsage);

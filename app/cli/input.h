@@ -11,6 +11,7 @@
 #include <QStringList>
 
 #include "core/scene/scene.h"
+#include "core/scene/textures.h"
 
 class QCommandLineOption;
 class QCommandLineParser;
@@ -46,7 +47,8 @@ struct Input {
 [[nodiscard]] std::expected<std::string, std::string> readText(const QString &file);
 
 /// Reads FILE (`-` is stdin, as .fdo), with the depth of --depth in place of the text's, or of every fractal's in a
-/// scene. Errors and warnings go to stderr as FILE:LINE:COL; the error is an exit status.
-[[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser);
+/// scene. Errors and warnings go to stderr as FILE:LINE:COL; the error is an exit status. Who draws gives a decoder.
+[[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser,
+                                                  ImageDecoder decoder = {});
 
 }

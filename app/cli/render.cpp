@@ -8,9 +8,11 @@
 #include <QBuffer>
 #include <QColor>
 #include <QCommandLineParser>
+#include <QHash>
 #include <QImage>
 #include <QRegularExpression>
 
+#include "app/imagedecoder.h"
 #include "core/formats/sdoreader.h"
 #include "input.h"
 #include "output.h"
@@ -45,8 +47,29 @@ struct Options {
     QCommandLineOption background{QStringLiteral("background"),
                                   QStringLiteral("A colour for the background, in place of a dark gradient."),
                                   QStringLiteral("#RRGGBB")};
+    QCommandLineOption colourBy{QStringLiteral("colour-by"),
+                                QStringLiteral("What copies are coloured by, in place of their materials: depth, "
+                                               "branch (the outermost transformation) or set."),
+                                QStringLiteral("WHAT")};
+    QCommandLineOption wireframe{QStringLiteral("wireframe"), QStringLiteral("With the edges of all triangles.")};
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
+
+std::optional<Colouring> colouringFrom(const QCommandLineParser &parser, const Options &options)
+{
+    if (!parser.isSet(options.colourBy)) {
+        return Colouring::Materials;
+    }
+    static const QHash<QString, Colouring> known{{QStringLiteral("depth"), Colouring::Depth},
+                                                 {QStringLiteral("branch"), Colouring::Branch},
+                                                 {QStringLiteral("set"), Colouring::Set}};
+    const QString word = parser.value(options.colourBy);
+    if (!known.contains(word)) {
+        complain(QStringLiteral("--colour-by takes depth, branch or set, not \"%1\"").arg(word));
+        return std::nullopt;
+    }
+    return known.value(word);
+}
 
 /// The view that the options ask for, without its camera; complains where they make no sense.
 std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Options &options)
@@ -76,6 +99,12 @@ std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Opti
                      .arg(parser.value(options.samples)));
         return std::nullopt;
     }
+    const std::optional<Colouring> colouring = colouringFrom(parser, options);
+    if (!colouring) {
+        return std::nullopt;
+    }
+    view.appearance.colours.colouring = *colouring;
+    view.appearance.hasWires = parser.isSet(options.wireframe);
     if (parser.isSet(options.background)) {
         static const QRegularExpression colourPattern(QStringLiteral("^#[0-9A-Fa-f]{6}$"));
         const QString text = parser.value(options.background);
@@ -162,7 +191,7 @@ int runRender(const QStringList &arguments)
     parser.setApplicationDescription(QStringLiteral("Draws one picture of a fractal or a scene, without a display."));
     const Options options;
     parser.addOptions({options.output, options.size, options.camera, depthOption(), options.tolerance, options.samples,
-                       options.background, options.quiet});
+                       options.background, options.colourBy, options.wireframe, options.quiet});
     const auto file = parseArguments(parser, "render", arguments);
     if (!file) {
         return file.error();
@@ -182,7 +211,7 @@ int runRender(const QStringList &arguments)
             return WrongUsage;
         }
     }
-    const auto input = readInput(*file, parser);
+    const auto input = readInput(*file, parser, decodeImage);
     if (!input) {
         return input.error();
     }

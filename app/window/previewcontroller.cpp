@@ -8,6 +8,7 @@
 
 #include <QMetaObject>
 
+#include "app/imagedecoder.h"
 #include "core/language/stability.h"
 
 namespace romanesco {
@@ -15,7 +16,7 @@ namespace romanesco {
 PreviewController::PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent)
     : QObject(parent)
     , m_files(std::move(files))
-    , m_loader(*m_files)
+    , m_loader(*m_files, decodeImage)
     , m_counting([this](const CountJob &scene, const std::stop_token &stop) { runCount(scene, stop); })
     , m_building([this](const BuildJob &job, const std::stop_token &stop) { runBuild(job, stop); })
 {

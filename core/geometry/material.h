@@ -3,9 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include <glm/vec3.hpp>
+
+#include "image.h"
 
 namespace romanesco {
 
@@ -21,6 +24,8 @@ struct Material {
     float opacity = 1.0F;
     /// Image that is multiplied with diffuse, a path as FileAccess takes it; empty for none.
     std::filesystem::path diffuseTexture{};
+    /// Its pixels; null where nobody asked for them.
+    std::shared_ptr<const Image> diffuseImage{};
 
     bool operator==(const Material &) const = default;
 };

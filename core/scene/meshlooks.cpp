@@ -19,9 +19,10 @@ namespace {
 class LookFinder
 {
 public:
-    LookFinder(const FileAccess &files, const std::filesystem::path &folder, const std::vector<Material> &named,
-               const ObjResult::Sources &sources)
+    LookFinder(const FileAccess &files, Textures &textures, const std::filesystem::path &folder,
+               const std::vector<Material> &named, const ObjResult::Sources &sources)
         : m_files(files)
+        , m_textures(textures)
         , m_folder(folder)
         , m_named(named)
         , m_sources(sources)
@@ -33,11 +34,12 @@ public:
 
 private:
     void readLibrary(const ObjResult::Sources::Library &library);
-    void remarkOnTexture(Material &material, const std::filesystem::path &folder, SourceRange place,
-                         Diagnostics &diagnostics) const;
+    void findTexture(Material &material, const std::filesystem::path &folder, SourceRange place,
+                     Diagnostics &diagnostics);
     void remarkOnMissing();
 
     const FileAccess &m_files;
+    Textures &m_textures;
     const std::filesystem::path &m_folder;
     const std::vector<Material> &m_named;
     const ObjResult::Sources &m_sources;
@@ -81,7 +83,7 @@ void LookFinder::readLibrary(const ObjResult::Sources::Library &library)
         if (missing == m_missing.end()) {
             continue;
         }
-        remarkOnTexture(material, path.parent_path(), texturePlace, read.diagnostics);
+        findTexture(material, path.parent_path(), texturePlace, read.diagnostics);
         m_looks.materials[missing->second] = std::move(material);
         m_missing.erase(missing);
     }
@@ -91,19 +93,20 @@ void LookFinder::readLibrary(const ObjResult::Sources::Library &library)
 }
 
 /// Its path becomes that of a file, or empty.
-void LookFinder::remarkOnTexture(Material &material, const std::filesystem::path &folder, SourceRange place,
-                                 Diagnostics &diagnostics) const
+void LookFinder::findTexture(Material &material, const std::filesystem::path &folder, SourceRange place,
+                             Diagnostics &diagnostics)
 {
     if (material.diffuseTexture.empty()) {
         return;
     }
     const std::filesystem::path path = folder / material.diffuseTexture;
-    if (const auto file = m_files.check(path); !file) {
+    if (const Textures::Found found = m_textures.find(path); !found) {
         diagnostics.push_back(
-            {DiagnosticCode::MtlTextureUnusable, place, {material.diffuseTexture.string(), file.error()}});
+            {DiagnosticCode::MtlTextureUnusable, place, {material.diffuseTexture.string(), found.error()}});
         material.diffuseTexture.clear();
     } else {
         material.diffuseTexture = path;
+        material.diffuseImage = *found;
     }
 }
 
@@ -121,10 +124,10 @@ void LookFinder::remarkOnMissing()
 
 }
 
-MeshLooks looksOf(const FileAccess &files, const std::filesystem::path &folder, const std::vector<Material> &named,
-                  const ObjResult::Sources &sources)
+MeshLooks looksOf(const FileAccess &files, Textures &textures, const std::filesystem::path &folder,
+                  const std::vector<Material> &named, const ObjResult::Sources &sources)
 {
-    return LookFinder(files, folder, named, sources).find();
+    return LookFinder(files, textures, folder, named, sources).find();
 }
 
 }

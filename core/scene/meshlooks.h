@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/formats/objreader.h"
+#include "textures.h"
 
 namespace romanesco {
 
@@ -18,9 +19,8 @@ struct MeshLooks {
 };
 
 /// Reads the MTL files that an OBJ text in a folder names ("\\" is "/" too). The first material of a name counts; what is
-/// missing or wrong costs a warning and leaves the default's look. Textures are files that are there, but are not read.
-/// named has the names.
-[[nodiscard]] MeshLooks looksOf(const FileAccess &files, const std::filesystem::path &folder,
+/// missing or wrong costs a warning and leaves the default's look. named has the names.
+[[nodiscard]] MeshLooks looksOf(const FileAccess &files, Textures &textures, const std::filesystem::path &folder,
                                 const std::vector<Material> &named, const ObjResult::Sources &sources);
 
 }

@@ -36,8 +36,9 @@ std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
 
 }
 
-ModelLibrary::ModelLibrary(const FileAccess &files)
+ModelLibrary::ModelLibrary(const FileAccess &files, ImageDecoder decoder)
     : m_files(files)
+    , m_textures(files, std::move(decoder))
 {
 }
 
@@ -46,11 +47,13 @@ void ModelLibrary::beginRound()
     for (auto &[path, entry] : m_entries) {
         entry.isUsed = false;
     }
+    m_textures.beginRound();
 }
 
 void ModelLibrary::dropUnused()
 {
     std::erase_if(m_entries, [](const auto &known) { return !known.second.isUsed; });
+    m_textures.dropUnused();
 }
 
 /// Its bytes as they are in this round; what was made of other bytes is gone.
@@ -120,7 +123,7 @@ void ModelLibrary::renewLooks(Entry &entry, const std::filesystem::path &folder)
 std::vector<Material> ModelLibrary::findLooks(Entry &entry, const std::filesystem::path &folder,
                                               const std::vector<Material> &named)
 {
-    MeshLooks looks = looksOf(m_files, folder, named, entry.sources);
+    MeshLooks looks = looksOf(m_files, m_textures, folder, named, entry.sources);
     Diagnostics all = entry.warnings;
     std::ranges::move(looks.diagnostics, std::back_inserter(all));
     sortByPlace(all);
@@ -160,7 +163,7 @@ ModelLibrary::TextResult ModelLibrary::object(const std::filesystem::path &folde
         result.diagnostics.push_back({DiagnosticCode::MeshWithoutFaces, {0, 0}, {"the mesh"}});
         return result;
     }
-    MeshLooks looks = looksOf(m_files, folder, read.mesh.materials, read.sources);
+    MeshLooks looks = looksOf(m_files, m_textures, folder, read.mesh.materials, read.sources);
     read.mesh.materials = std::move(looks.materials);
     std::ranges::move(looks.diagnostics, std::back_inserter(result.diagnostics));
     result.model = modelOfMesh(std::make_shared<const Mesh>(std::move(read.mesh)));

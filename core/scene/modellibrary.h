@@ -18,16 +18,18 @@
 #include "core/text/diagnostic.h"
 #include "filetrouble.h"
 #include "model.h"
+#include "textures.h"
 
 namespace romanesco {
 
-/// The models of files, with the looks that MTL files give their meshes. Each file is read once in a round and made into a model once, however often it is named; what
-/// was made of it is kept for the next rounds as long as its bytes stay the same. One thread at a time.
+/// The models of files, with the looks that MTL files give their meshes. Each file is read once in a round and made into
+/// a model once, however often it is named; what was made of it is kept for the next rounds as long as its bytes stay the
+/// same. One thread at a time.
 class ModelLibrary
 {
 public:
-    /// files must outlive the library.
-    explicit ModelLibrary(const FileAccess &files);
+    /// files must outlive the library. Without a decoder textures have no pixels.
+    explicit ModelLibrary(const FileAccess &files, ImageDecoder decoder = {});
 
     /// From here on files are looked at anew.
     void beginRound();
@@ -96,6 +98,7 @@ private:
                      const std::stop_token &stop);
 
     const FileAccess &m_files;
+    Textures m_textures;
     /// A map: entries stay where they are while others come.
     std::map<std::filesystem::path, Entry> m_entries;
 };

@@ -19,8 +19,8 @@ FileKind fileKind(const std::filesystem::path &path)
                                      : FileKind::Other;
 }
 
-SceneLoader::SceneLoader(const FileAccess &files)
-    : m_library(files)
+SceneLoader::SceneLoader(const FileAccess &files, ImageDecoder decoder)
+    : m_library(files, std::move(decoder))
 {
 }
 

@@ -34,8 +34,8 @@ struct SceneResult {
 class SceneLoader
 {
 public:
-    /// files must outlive the loader.
-    explicit SceneLoader(const FileAccess &files);
+    /// files must outlive the loader. Without a decoder textures have no pixels, which who does not draw has no need of.
+    explicit SceneLoader(const FileAccess &files, ImageDecoder decoder = {});
 
     /// text is an .fdo, .sdo or .obj text by the ending of path (.fdo where it tells nothing); paths in it are relative to
     /// path's folder. The token is looked at between the files and the steps of each.

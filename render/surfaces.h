@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <expected>
+#include <optional>
+#include <string>
+
+#include "appearance.h"
+#include "core/scene/scene.h"
+#include "cut.h"
+#include "glresources.h"
+#include "gpuscene.h"
+
+namespace romanesco {
+
+/// The programs that draw copies of meshes.
+class Surfaces
+{
+public:
+    /// The error is the compiler's words. Comes before all else.
+    [[nodiscard]] std::expected<void, std::string> make();
+
+    /// One pass over a scene: what all its draws have in common.
+    struct Pass {
+        const Projector &projector;
+        int width = 0;
+        int height = 0;
+        /// From the pixel's centre, in pixels.
+        std::array<double, 2> sample{};
+        unsigned number = 0;
+    };
+    /// The error is the compiler's words: what draws wires is made when they are first wanted.
+    [[nodiscard]] std::expected<void, std::string> beginPass(const Pass &pass, const Scene &scene,
+                                                             const Appearance &appearance);
+
+    /// So many copies in the ring from first on, with all materials of their mesh; into the bound framebuffer.
+    void draw(const GpuScene &onCard, const Model &model, GLuint first, std::size_t count, bool hasTints) const;
+
+private:
+    void setLights(const Projector &projector, const Scene &scene);
+    void setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t material) const;
+
+    GlProgram m_plain;
+    GlProgram m_wired;
+    GlBuffer m_pass;
+    GlBuffer m_lights;
+    Appearance m_appearance;
+};
+
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "appearance.h"
+#include "core/fractal/fractalgraph.h"
+
+namespace romanesco {
+
+/// A colour that lies over a copy's own: red, green, blue in sRGB, and how much of it there is.
+using Tint = std::array<std::uint8_t, 4>;
+
+/// What a node of the walk knows of the way to it.
+struct Marks {
+    /// By the colouring.
+    Tint tint{};
+    std::uint32_t picks = 0;
+    /// All picks so far are of this set, which has but one map; or `noChain`.
+    SetId chain = noChain;
+    /// As many picks of the selected address lead here, or `strayed`.
+    std::uint32_t matched = 0;
+
+    static constexpr std::uint32_t strayed = 0xffffffff;
+    static constexpr SetId noChain = 0xffffffff;
+};
+
+/// Colours the copies of a graph.
+class Tinter
+{
+public:
+    Tinter() = default;
+    /// Without a selected address none stands out. graph must outlive it.
+    Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected);
+
+    /// Whether any copy has a tint.
+    [[nodiscard]] bool isNeeded() const { return m_colouring != Colouring::Materials || m_hasSelection; }
+
+    [[nodiscard]] Marks atRoot() const;
+    /// Of the child that a map of a set leads to.
+    [[nodiscard]] Marks below(const Marks &marks, SetId set, std::uint32_t map) const
+    {
+        return isNeeded() ? marksBelow(marks, set, map) : marks;
+    }
+    [[nodiscard]] Tint tint(const Marks &marks) const;
+
+private:
+    void markBranch(Marks &below, const Marks &above, SetId set, std::uint32_t map) const;
+    [[nodiscard]] Marks marksBelow(const Marks &marks, SetId set, std::uint32_t map) const;
+
+    Colouring m_colouring = Colouring::Materials;
+    bool m_hasSelection = false;
+    const FractalGraph *m_graph = nullptr;
+    /// The classes of the maps: from a state, equal maps lead to equal copies.
+    std::vector<std::uint32_t> m_selected;
+};
+
+}

@@ -1,0 +1,71 @@
+#version 450 core
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+
+// Tells each corner how far it is from the edge across, so that the fragment stage can draw wires.
+layout(triangles) in;
+layout(triangle_strip, max_vertices = 3) out;
+
+layout(location = 0) in vec3 cornerPosition[];
+layout(location = 1) in vec3 cornerNormal[];
+layout(location = 2) in vec2 cornerTexture[];
+layout(location = 3) in vec3 cornerColour[];
+layout(location = 4) flat in vec4 cornerTint[];
+
+layout(std140, binding = 0) uniform Pass {
+    vec2 scale;
+    vec2 jitter;
+    vec2 halfSize;
+    float near;
+    float range;
+    bool isPerspective;
+    bool isSmooth;
+    bool isLit;
+    uint number;
+    int lightCount;
+};
+
+layout(location = 0) out vec3 cameraPosition;
+layout(location = 1) out vec3 cameraNormal;
+layout(location = 2) out vec2 texturePlace;
+layout(location = 3) out vec3 colour;
+layout(location = 4) flat out vec4 tint;
+layout(location = 5) noperspective out vec3 edgeDistance;
+
+// Triangles whose heights are less than this many pixels show no wires, lest there be nothing else.
+const float leastHeight = 3.0;
+
+vec3 heights()
+{
+    // What reaches behind the camera has no place on the screen.
+    if (min(gl_in[0].gl_Position.w, min(gl_in[1].gl_Position.w, gl_in[2].gl_Position.w)) <= 0.0) {
+        return vec3(1e9);
+    }
+    vec2 a = halfSize * gl_in[0].gl_Position.xy / gl_in[0].gl_Position.w;
+    vec2 b = halfSize * gl_in[1].gl_Position.xy / gl_in[1].gl_Position.w;
+    vec2 c = halfSize * gl_in[2].gl_Position.xy / gl_in[2].gl_Position.w;
+    float area = abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
+    vec3 across = vec3(distance(b, c), distance(c, a), distance(a, b));
+    vec3 found = area / max(across, vec3(1e-9));
+    return min(found.x, min(found.y, found.z)) < leastHeight ? vec3(1e9) : found;
+}
+
+void main()
+{
+    vec3 height = heights();
+    bool hasWires = height.x < 1e9;
+    for (int i = 0; i < 3; ++i) {
+        cameraPosition = cornerPosition[i];
+        cameraNormal = cornerNormal[i];
+        texturePlace = cornerTexture[i];
+        colour = cornerColour[i];
+        tint = cornerTint[i];
+        edgeDistance = hasWires ? vec3(0.0) : height;
+        if (hasWires) {
+            edgeDistance[i] = height[i];
+        }
+        gl_Position = gl_in[i].gl_Position;
+        EmitVertex();
+    }
+    EndPrimitive();
+}
