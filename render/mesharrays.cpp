@@ -99,8 +99,7 @@ private:
         for (std::size_t i = 0; i < m_mesh.parts.size(); ++i) {
             const Mesh::Part &part = m_mesh.parts[i];
             for (std::size_t face = part.firstFace; part.smoothing != 0 && face < endOf(i); ++face) {
-                const auto &[a, b, c] = m_mesh.faces[face];
-                const glm::dvec3 plane = glm::cross(placed(b) - placed(a), placed(c) - placed(a));
+                const glm::dvec3 plane = planeOf(m_mesh.faces[face]);
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     std::uint32_t &normal = m_faceNormals[face][corner];
                     if (normal != Mesh::none) {
@@ -112,13 +111,27 @@ private:
                         m_normals.emplace_back(0.0);
                     }
                     normal = found->second;
-                    m_normals[normal] += plane;
+                    m_normals[normal] += plane * angleAt(m_mesh.faces[face], corner);
                 }
             }
         }
         for (std::size_t i = own; i < m_normals.size(); ++i) {
             m_normals[i] = unitOf(m_normals[i]);
         }
+    }
+
+    [[nodiscard]] glm::dvec3 planeOf(const Mesh::Face &face) const
+    {
+        const glm::dvec3 a = placed(face[0]);
+        return unitOf(glm::cross(placed(face[1]) - a, placed(face[2]) - a));
+    }
+
+    [[nodiscard]] double angleAt(const Mesh::Face &face, std::size_t corner) const
+    {
+        const glm::dvec3 at = placed(face[corner]);
+        const glm::dvec3 u = unitOf(placed(face[(corner + 1) % 3]) - at);
+        const glm::dvec3 v = unitOf(placed(face[(corner + 2) % 3]) - at);
+        return std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
     }
 
     // ---- Rows

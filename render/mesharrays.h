@@ -33,7 +33,7 @@ struct MeshArrays {
 
 /// base is the sphere round the mesh: in its units floats suffice wherever the mesh lies and however large it is. Normals
 /// are the mesh's own; faces of a smoothing group that have none get the mean of the group's planes round each vertex,
-/// by area. Cost: linear in the mesh but for finding equal corners.
+/// by angle (Thürmer and Wüthrich 1998). Cost: linear in the mesh but for finding equal corners.
 [[nodiscard]] MeshArrays arraysOf(const Mesh &mesh, const Sphere &base);
 
 }
