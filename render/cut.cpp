@@ -34,14 +34,14 @@ double frobeniusNorm(const glm::dmat3 &matrix)
 
 }
 
-Projector::Projector(const Camera &camera, const Scene &scene, int width, int height)
+Projector::Projector(const Camera &camera, const Sphere &nearby, int width, int height)
     : projection(camera.projection)
     , position(camera.position)
 {
-    const double size = glm::length(scene.extent.size());
-    const double distance = glm::distance(camera.position, scene.extent.centre());
+    const double size = 2.0 * nearby.radius;
+    const double distance = glm::distance(camera.position, nearby.centre);
     unit = std::max({size, distance, std::numeric_limits<double>::min()});
-    cameraFromWorld = glm::transpose(camera.worldFromCamera) / unit;
+    cameraFromHere = glm::transpose(camera.worldFromCamera) / unit;
     range = (distance + size) / unit;
     const bool isPerspective = projection == Projection::Perspective;
     // What is narrower has no more pixels that differ, and floats would end.
@@ -52,9 +52,9 @@ Projector::Projector(const Camera &camera, const Scene &scene, int width, int he
     pixels = 0.5 * scaleY * height;
 }
 
-AffineMap Projector::cameraFrom(const AffineMap &worldFromModel) const
+AffineMap Projector::cameraFrom(const AffineMap &hereFromNode) const
 {
-    return {cameraFromWorld * worldFromModel.linear, cameraFromWorld * (worldFromModel.translation - position)};
+    return {cameraFromHere * hereFromNode.linear, cameraFromHere * (hereFromNode.translation - position)};
 }
 
 Cut::Cut(const Model &model)
@@ -63,7 +63,7 @@ Cut::Cut(const Model &model)
 {
 }
 
-void Cut::begin(const Projector &projector, const AffineMap &worldFromModel, double pixelTolerance)
+void Cut::begin(const Projector &projector, std::span<const Surroundings::Node> nodes, double pixelTolerance)
 {
     m_projector = projector;
     m_tolerance = std::max(pixelTolerance, leastTolerance);
@@ -85,21 +85,30 @@ void Cut::begin(const Projector &projector, const AffineMap &worldFromModel, dou
                 side({0, 1, 0}, projector.scaleY), side({0, -1, 0}, projector.scaleY),
                 isPerspective ? Plane{{0, 0, 1}, -projector.near} : Plane{{0, 0, 1}, projector.range}};
 
-    const Sphere &base = m_model.graph.base();
-    if (base.isEmpty()) {
+    if (m_model.graph.base().isEmpty()) {
         return;
     }
-    const double norm = operatorNorm(worldFromModel.linear) / projector.unit;
-    const Node root{m_table.root(), allPlanes, projector.cameraFrom(worldFromModel), norm, m_tinter.atRoot()};
-    const Sphere bound = transformed(root.map, norm, m_table.state(root.state).bound);
+    for (const Surroundings::Node &node : nodes) {
+        addRoot(node);
+    }
+}
+
+void Cut::addRoot(const Surroundings::Node &node)
+{
+    const AffineMap map = m_projector.cameraFrom(node.hereFromNode);
+    const double norm = operatorNorm(map.linear);
+    const StateId state = m_table.find(node.state);
+    const Sphere &own = node.isMeshOnly ? m_model.graph.base() : m_table.state(state).bound;
+    const Sphere bound = transformed(map, norm, own);
     unsigned planes = allPlanes;
     if (isOutside(bound, planes)) {
         return;
     }
-    if (isSmall(bound)) {
-        place(root.map, root.state, root.marks, false);
+    const Marks marks = m_tinter.at(node);
+    if (node.isMeshOnly || isSmall(bound)) {
+        place(map, state, marks, node.isMeshOnly);
     } else {
-        m_open.push_back({root.state, planes, root.map, norm, root.marks});
+        m_open.push_back({state, planes, map, norm, marks});
     }
 }
 
@@ -137,11 +146,6 @@ void Cut::forget()
     m_open = std::vector<Node>();
     m_ready = std::vector<Instance>();
     m_tints = std::vector<Tint>();
-}
-
-void Cut::setColours(Colouring colouring, const Address *selected)
-{
-    m_tinter = Tinter(m_model.graph, colouring, selected);
 }
 
 void Cut::visit(const Node &node)

@@ -9,7 +9,7 @@
 
 #include "camera.h"
 #include "core/fractal/statetable.h"
-#include "core/scene/scene.h"
+#include "core/scene/anchor.h"
 #include "tint.h"
 
 namespace romanesco {
@@ -25,16 +25,17 @@ static_assert(sizeof(Instance) == 48);
 /// scene of any size fits the card's floats.
 struct Projector {
     Projector() = default;
-    Projector(const Camera &camera, const Scene &scene, int width, int height);
+    /// nearby: round what is looked at, in the camera's coordinates.
+    Projector(const Camera &camera, const Sphere &nearby, int width, int height);
 
-    /// A model's own coordinates to the camera's, in units of the view. What is near the camera keeps its precision
+    /// A node's own coordinates to the camera's, in units of the view. What is near the camera keeps its precision
     /// however far from the origin both are.
-    [[nodiscard]] AffineMap cameraFrom(const AffineMap &worldFromModel) const;
+    [[nodiscard]] AffineMap cameraFrom(const AffineMap &hereFromNode) const;
 
     Projection projection = Projection::Perspective;
-    /// The camera's place in the world, and the world's axes to the camera's in units of the view.
+    /// The camera's place, and the world's axes to the camera's in units of the view.
     glm::dvec3 position{0.0};
-    glm::dmat3 cameraFromWorld{1.0};
+    glm::dmat3 cameraFromHere{1.0};
     double unit = 1.0;
     /// Clip x and y for each unit sideways: at distance 1 for perspective.
     double scaleX = 1.0;
@@ -47,8 +48,8 @@ struct Projector {
     double pixels = 1.0;
 };
 
-/// The copies of a model to draw for a view: the graph walked from its root with camera-relative maps in double; what is outside
-/// the view is dropped, and where a bound is smaller on the screen than the tolerance, one base mesh stands for all
+/// The copies of a model to draw for a view: the graph walked from some nodes, its root or what surrounds a place deep
+/// inside, with camera-relative maps in double; what is outside the view is dropped, and where a bound is smaller on the screen than the tolerance, one base mesh stands for all
 /// below. Where maps contract, its cost follows what is seen, about (pixels / tolerance)^dimension, whatever the number
 /// of instances. (Copies of one size, or many at one place, are all drawn that are in view.)
 ///
@@ -59,12 +60,12 @@ public:
     /// model must outlive the cut.
     explicit Cut(const Model &model);
 
-    /// Starts over, with the model at a place in the world: any affine map. A tolerance of 0 gives every instance that is
-    /// in view and larger than a millionth of a pixel.
-    void begin(const Projector &projector, const AffineMap &worldFromModel, double pixelTolerance);
+    /// Starts over, with all that is below these nodes of the model. A tolerance of 0 gives every instance that is in view
+    /// and larger than a millionth of a pixel.
+    void begin(const Projector &projector, std::span<const Surroundings::Node> nodes, double pixelTolerance);
 
-    /// From the next begin() on: how copies are coloured, and an address whose copies stand out, or null.
-    void setColours(Colouring colouring, const Address *selected);
+    /// From the next begin() on: how copies are coloured.
+    void setTinter(Tinter tinter) { m_tinter = std::move(tinter); }
 
     /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
     /// walked without finding any, so that each call is short. The reference holds until the next call.
@@ -100,6 +101,7 @@ private:
         double offset;
     };
 
+    void addRoot(const Surroundings::Node &node);
     void visit(const Node &node);
     void addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound);
     void place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole);

@@ -89,8 +89,11 @@ public:
             uploadScene();
             if (m_scene) {
                 m_cut.emplace(*m_scene);
+                m_world = Anchor(m_scene).surroundings();
             }
         }
+        const bool isDeep = view.surroundings && view.surroundings->scene == m_scene;
+        m_surroundings = isDeep ? view.surroundings : m_world;
         if (m_pass.width != view.width || m_pass.height != view.height) {
             auto target = makeTarget(view.width, view.height, GL_RGBA16F, true);
             if (!target) {
@@ -197,13 +200,13 @@ private:
         m_passStart = Clock::now();
         m_isDrawn = false;
         if (m_cut) {
-            m_projector.emplace(m_view.camera, *m_scene, m_view.width, m_view.height);
-            m_cut->begin(*m_projector, m_view.pixelTolerance, m_view.appearance.colours);
+            m_projector.emplace(m_view.camera, m_surroundings->nearby, m_view.width, m_view.height);
+            m_cut->begin(*m_projector, m_surroundings, m_view.pixelTolerance, m_view.appearance.colours);
         }
         if (m_cut) {
             const Surfaces::Pass pass{*m_projector, m_view.width, m_view.height, samplePlace(m_passes, m_view.samples),
                                       static_cast<unsigned>(m_passes)};
-            if (const auto begun = m_surfaces.beginPass(pass, *m_scene, m_view.appearance); !begun) {
+            if (const auto begun = m_surfaces.beginPass(pass, *m_surroundings, m_view.appearance); !begun) {
                 fail(begun.error());
                 return;
             }
@@ -304,6 +307,8 @@ private:
 
     std::shared_ptr<const Scene> m_scene;
     std::shared_ptr<const Scene> m_nextScene;
+    std::shared_ptr<const Surroundings> m_world;
+    std::shared_ptr<const Surroundings> m_surroundings;
     std::optional<SceneCut> m_cut;
     std::optional<Projector> m_projector;
     View m_view;

@@ -12,13 +12,16 @@
 
 #include "appearance.h"
 #include "camera.h"
-#include "core/scene/scene.h"
+#include "core/scene/anchor.h"
 
 namespace romanesco {
 
 /// One picture: from where, how large, how exact.
 struct View {
+    /// In the coordinates of the place that surroundings tell of, or the world's.
     Camera camera;
+    /// Null, or of another scene than the one that is drawn: the whole scene as it stands in the world.
+    std::shared_ptr<const Surroundings> surroundings{};
     int width = 0;
     int height = 0;
     /// Copies whose bound is smaller than this on the screen are drawn as one; 0 draws every instance of the depth.

@@ -3,7 +3,9 @@
 #include "scenecut.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
+#include <ranges>
 #include <utility>
 
 namespace romanesco {
@@ -28,13 +30,20 @@ SceneCut::SceneCut(const Scene &scene)
     }
 }
 
-void SceneCut::begin(const Projector &projector, double pixelTolerance, const CopyColours &colours)
+void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings,
+                     double pixelTolerance, const CopyColours &colours)
 {
+    assert(surroundings->scene.get() == &m_scene && "the place lies in the scene");
     dropSpent();
     m_projector = projector;
     m_tolerance = pixelTolerance;
     m_colours = colours;
-    m_item = 0;
+    m_surroundings = std::move(surroundings);
+    m_runs.clear();
+    const auto sameItem = [](const auto &a, const auto &b) { return a.item == b.item; };
+    for (const auto &run : m_surroundings->nodes | std::views::chunk_by(sameItem)) {
+        m_runs.emplace_back(run);
+    }
     m_isItemBegun = false;
     m_instances = 0;
     m_visited = 0;
@@ -44,13 +53,9 @@ void SceneCut::begin(const Projector &projector, double pixelTolerance, const Co
 const std::vector<Instance> &SceneCut::next(std::size_t count)
 {
     dropSpent();
-    Part &part = m_parts[m_partOf[m_item]];
-    if (!m_isItemBegun) {
-        m_isItemBegun = true;
-        const std::optional<Selection> &selection = m_colours.selection;
-        const bool isSelected = selection && selection->item == m_item;
-        part.cut.setColours(m_colours.colouring, isSelected ? &selection->address : nullptr);
-        part.cut.begin(m_projector, m_scene.items[m_item].worldFromModel, m_tolerance);
+    Part &part = m_parts[m_partOf[item()]];
+    if (!std::exchange(m_isItemBegun, true)) {
+        beginItem(part.cut);
     }
     const std::vector<Instance> &instances = part.cut.next(count);
     m_tints = &part.cut.tints();
@@ -64,15 +69,25 @@ const std::vector<Instance> &SceneCut::next(std::size_t count)
     return instances;
 }
 
+void SceneCut::beginItem(Cut &cut)
+{
+    const std::optional<Selection> &selection = m_colours.selection;
+    const bool isSelected = selection && selection->item == item();
+    const bool isOnPath = m_surroundings->pathItem == item();
+    cut.setTinter(Tinter(model().graph, m_colours.colouring, isSelected ? &selection->address : nullptr,
+                         isOnPath ? std::span(m_surroundings->path) : std::span<const Step>()));
+    cut.begin(m_projector, m_runs.front(), m_tolerance);
+}
+
 void SceneCut::finishItem()
 {
-    Part &part = m_parts[m_partOf[m_item]];
+    Part &part = m_parts[m_partOf[item()]];
     m_instances += part.cut.instanceCount();
     m_visited += part.cut.statesVisited();
     if (m_parts.size() > 1 && m_bytes > mostBytesAtRest) {
         m_spent = &part; // its copies are still looked at
     }
-    ++m_item;
+    m_runs.pop_front();
     m_isItemBegun = false;
 }
 

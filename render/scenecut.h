@@ -3,13 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "cut.h"
 
 namespace romanesco {
 
-/// The copies to draw of a whole scene: the cuts of its items, one after another in the order of the scene. Items that
+/// The copies to draw of a whole scene: the cuts of its items, one after another in the order of their nodes. Items that
 /// share a model share the states that were made of it. One thread.
 class SceneCut
 {
@@ -17,13 +20,14 @@ public:
     /// scene must outlive it.
     explicit SceneCut(const Scene &scene);
 
-    /// Starts over (see Cut::begin()).
-    void begin(const Projector &projector, double pixelTolerance, const CopyColours &colours = {});
+    /// Starts over (see Cut::begin()), with what surrounds a place in the scene.
+    void begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings, double pixelTolerance,
+               const CopyColours &colours = {});
 
     /// Nothing is left to be found.
-    [[nodiscard]] bool isComplete() const { return m_item == m_scene.items.size(); }
+    [[nodiscard]] bool isComplete() const { return m_runs.empty(); }
     /// The model whose copies come next, unless isComplete().
-    [[nodiscard]] const Model &model() const { return *m_scene.items[m_item].model; }
+    [[nodiscard]] const Model &model() const { return *m_scene.items[item()].model; }
     /// The next copies of model(), about `count` of them, fewer or none (see Cut::next()). The reference holds until the
     /// next call.
     [[nodiscard]] const std::vector<Instance> &next(std::size_t count);
@@ -37,6 +41,8 @@ public:
     [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
 
 private:
+    [[nodiscard]] std::size_t item() const { return m_runs.front().front().item; }
+    void beginItem(Cut &cut);
     void finishItem();
     void dropSpent();
 
@@ -50,7 +56,9 @@ private:
     std::vector<Part> m_parts;
     /// By item, its model's.
     std::vector<std::size_t> m_partOf;
-    std::size_t m_item = 0;
+    std::shared_ptr<const Surroundings> m_surroundings;
+    /// The nodes of an item each, of those that are not finished.
+    std::deque<std::span<const Surroundings::Node>> m_runs;
     /// The part whose last copies were handed out, to be forgotten once they are used.
     Part *m_spent = nullptr;
     bool m_isItemBegun = false;

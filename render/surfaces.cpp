@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <epoxy/gl.h>
+#include <glm/geometric.hpp>
 
 #include "shaders.h"
 
@@ -35,6 +36,9 @@ struct LightBlock {
     std::array<GLfloat, 4> place;
     std::array<GLfloat, 4> colour;
 };
+
+/// What is farther away shines from its direction. The square is a float, too.
+constexpr double farthestLight = 1e15;
 
 /// Bindings and locations of the shaders.
 constexpr GLuint passBinding = 0;
@@ -72,7 +76,8 @@ std::expected<void, std::string> Surfaces::make()
     return {};
 }
 
-std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Scene &scene, const Appearance &appearance)
+std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Surroundings &surroundings,
+                                                     const Appearance &appearance)
 {
     m_appearance = appearance;
     if (appearance.hasWires && m_wired == 0) {
@@ -95,19 +100,20 @@ std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Sce
         .isSmooth = appearance.isSmooth,
         .isLit = appearance.isLit,
         .number = pass.number,
-        .lightCount = static_cast<GLint>(scene.lights.size()),
+        .lightCount = static_cast<GLint>(surroundings.scene->lights.size()),
         .padding = {},
     };
     glNamedBufferSubData(m_pass, 0, sizeof(block), &block);
-    setLights(projector, scene);
+    setLights(projector, surroundings);
     return {};
 }
 
-void Surfaces::setLights(const Projector &projector, const Scene &scene)
+void Surfaces::setLights(const Projector &projector, const Surroundings &surroundings)
 {
     std::vector<LightBlock> lights;
-    for (const SceneDescription::Light &light : scene.lights) {
-        const glm::dvec3 place = projector.cameraFromWorld * (light.position - projector.position);
+    for (const SceneDescription::Light &light : surroundings.scene->lights) {
+        glm::dvec3 place = projector.cameraFromHere * (surroundings.hereFromWorld(light.position) - projector.position);
+        place *= std::min(1.0, farthestLight / glm::length(place));
         const glm::dvec3 &colour = light.colour;
         lights.push_back({{asFloat(place.x), asFloat(place.y), asFloat(place.z), 1.0f},
                           {asFloat(colour.x), asFloat(colour.y), asFloat(colour.z), 1.0f}});

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "appearance.h"
-#include "core/scene/scene.h"
 #include "cut.h"
 #include "glresources.h"
 #include "gpuscene.h"
@@ -31,14 +30,14 @@ public:
         unsigned number = 0;
     };
     /// The error is the compiler's words: what draws wires is made when they are first wanted.
-    [[nodiscard]] std::expected<void, std::string> beginPass(const Pass &pass, const Scene &scene,
+    [[nodiscard]] std::expected<void, std::string> beginPass(const Pass &pass, const Surroundings &surroundings,
                                                              const Appearance &appearance);
 
     /// So many copies in the ring from first on, with all materials of their mesh; into the bound framebuffer.
     void draw(const GpuScene &onCard, const Model &model, GLuint first, std::size_t count, bool hasTints) const;
 
 private:
-    void setLights(const Projector &projector, const Scene &scene);
+    void setLights(const Projector &projector, const Surroundings &surroundings);
     void setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t material) const;
 
     GlProgram m_plain;

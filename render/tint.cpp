@@ -63,7 +63,7 @@ Tint over(const Tint &top, const Tint &below)
 
 }
 
-Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected)
+Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected, std::span<const Step> path)
     : m_colouring(colouring)
     , m_hasSelection(selected != nullptr)
     , m_graph(&graph)
@@ -74,6 +74,21 @@ Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const Address *se
             m_selected.push_back(graph.mapClasses(set)[pick.map]);
         }
     }
+    if (isNeeded()) {
+        m_along.push_back(atRoot());
+        for (const Step &step : path) {
+            m_along.push_back(marksBelow(m_along.back(), step.set, step.map));
+        }
+    }
+}
+
+Marks Tinter::at(const Surroundings::Node &node) const
+{
+    if (!isNeeded()) {
+        return {};
+    }
+    const Marks &marks = m_along[node.sharedSteps];
+    return node.step ? marksBelow(marks, node.step->set, node.step->map) : marks;
 }
 
 Marks Tinter::atRoot() const

@@ -4,10 +4,11 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "appearance.h"
-#include "core/fractal/fractalgraph.h"
+#include "core/scene/anchor.h"
 
 namespace romanesco {
 
@@ -33,13 +34,13 @@ class Tinter
 {
 public:
     Tinter() = default;
-    /// Without a selected address none stands out. graph must outlive it.
-    Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected);
+    /// Without a selected address none stands out. graph must outlive it. path: what nodes share (see Surroundings).
+    Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected, std::span<const Step> path);
 
     /// Whether any copy has a tint.
     [[nodiscard]] bool isNeeded() const { return m_colouring != Colouring::Materials || m_hasSelection; }
 
-    [[nodiscard]] Marks atRoot() const;
+    [[nodiscard]] Marks at(const Surroundings::Node &node) const;
     /// Of the child that a map of a set leads to.
     [[nodiscard]] Marks below(const Marks &marks, SetId set, std::uint32_t map) const
     {
@@ -49,6 +50,7 @@ public:
 
 private:
     void markBranch(Marks &below, const Marks &above, SetId set, std::uint32_t map) const;
+    [[nodiscard]] Marks atRoot() const;
     [[nodiscard]] Marks marksBelow(const Marks &marks, SetId set, std::uint32_t map) const;
 
     Colouring m_colouring = Colouring::Materials;
@@ -56,6 +58,8 @@ private:
     const FractalGraph *m_graph = nullptr;
     /// The classes of the maps: from a state, equal maps lead to equal copies.
     std::vector<std::uint32_t> m_selected;
+    /// After each step of the path.
+    std::vector<Marks> m_along;
 };
 
 }

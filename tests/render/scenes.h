@@ -6,6 +6,9 @@
 #include <memory>
 #include <string>
 
+#include <glm/geometric.hpp>
+
+#include "core/scene/anchor.h"
 #include "core/scene/sceneloader.h"
 
 namespace romanesco::test {
@@ -46,6 +49,18 @@ inline std::shared_ptr<const Scene> sceneOf(const std::string &text,
     TableFiles files;
     files.files["box.obj"] = mesh;
     return SceneLoader(files).load("test.fdo", text).scene;
+}
+
+/// Round the whole scene.
+inline Sphere around(const Scene &scene)
+{
+    return {scene.extent.centre(), 0.5 * glm::length(scene.extent.size())};
+}
+
+/// The root of a model at a place.
+inline std::vector<Surroundings::Node> rootAt(const AffineMap &map)
+{
+    return {{.item = 0, .state = Positions{0}, .hereFromNode = map}};
 }
 
 /// The model of such a scene.

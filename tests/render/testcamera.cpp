@@ -120,12 +120,12 @@ private Q_SLOTS:
                 continue;
             }
             const Camera camera = cameraOf({{1, 2, -9}, {0, 0, 0}, isOrthographic, view, {}});
-            const Projector projector(camera, *scene, 640, 480);
+            const Projector projector(camera, test::around(*scene), 640, 480);
             for (const double number : {projector.scaleX, projector.scaleY, projector.pixels}) {
                 QVERIFY(std::isfinite(static_cast<float>(number)));
             }
             Cut cut(*scene->items[0].model);
-            cut.begin(projector, AffineMap{}, 1.0);
+            cut.begin(projector, test::rootAt({}), 1.0);
             while (!cut.isComplete()) {
                 for (const Instance &instance : cut.next(100)) {
                     QVERIFY(!std::isnan(instance.rows[0][3]));

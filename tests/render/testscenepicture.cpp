@@ -227,17 +227,18 @@ private Q_SLOTS:
     void statisticsAreSums()
     {
         const auto model = test::modelOf(sierpinski);
-        const auto cutOf = [](const Scene &scene) {
-            SceneCut cut(scene);
-            cut.begin(Projector(fittedCamera(scene, double(width) / height), scene, width, height), 0.0);
+        const auto cutOf = [](const std::shared_ptr<const Scene> &scene) {
+            SceneCut cut(*scene);
+            cut.begin(Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), width, height),
+                      Anchor(scene).surroundings(), 0.0);
             std::uint64_t found = 0;
             while (!cut.isComplete()) {
                 found += cut.next(100).size();
             }
             return std::array<std::uint64_t, 3>{found, cut.instanceCount(), cut.memoryUse()};
         };
-        const auto one = cutOf(*test::assembled({{model, AffineMap{}}}));
-        const auto two = cutOf(*test::assembled({{model, AffineMap{}}, {model, moved({1, 2, 3})}}));
+        const auto one = cutOf(test::assembled({{model, AffineMap{}}}));
+        const auto two = cutOf(test::assembled({{model, AffineMap{}}, {model, moved({1, 2, 3})}}));
         QCOMPARE(one[0], std::uint64_t(65'536));
         QCOMPARE(one[1], one[0]);
         QCOMPARE(two[0], 2 * one[0]);

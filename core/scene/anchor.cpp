@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "anchor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+namespace romanesco {
+
+namespace {
+
+/// A ball leaves a node where it leaves so many times its bound.
+constexpr double outside = 3.0;
+/// Another node is worth a move where it is so much smaller.
+constexpr double worthIt = 1.0 / 3.0;
+/// What is so many times as large as what is here is not looked at.
+constexpr double largest = 1e30;
+/// Where to keep the direction of what lies farther away.
+constexpr double farthest = 1e100;
+constexpr std::size_t mostLevels = 1'000'000;
+constexpr std::size_t mostStates = 50'000;
+
+bool holds(const Sphere &bound, const glm::dvec3 &point, double radius, double times)
+{
+    return glm::distance(bound.centre, point) + radius <= times * bound.radius;
+}
+
+}
+
+glm::dvec3 Surroundings::hereFromWorld(const glm::dvec3 &inWorld) const
+{
+    const glm::dvec3 away = inWorld - origin;
+    const double length = glm::length(away);
+    if (!(length > 0.0)) {
+        return glm::dvec3(0.0);
+    }
+    const double exponent = std::log2(length) - unitExponent;
+    return away / length * std::min(std::exp2(std::min(exponent, 1000.0)), farthest);
+}
+
+Anchor::Anchor(std::shared_ptr<const Scene> scene)
+    : m_scene(std::move(scene))
+{
+}
+
+/// The table belongs to the item's graph.
+void Anchor::setModel()
+{
+    m_table = m_levels.empty() ? nullptr
+                               : std::make_shared<StateTable>(m_scene->items[m_levels.front().step.map].model->graph);
+}
+
+glm::dmat3 Anchor::linear() const
+{
+    return m_levels.empty() ? glm::dmat3(1.0) : m_levels.back().linear;
+}
+
+Sphere Anchor::bound() const
+{
+    if (m_levels.empty()) {
+        const Box &extent = m_scene->extent;
+        return {extent.centre(), 0.5 * glm::length(extent.size())};
+    }
+    const Sphere &own = m_table->state(m_table->find(m_levels.back().state)).bound;
+    return {linear() * own.centre, own.radius};
+}
+
+/// Of the node that so many levels lead to, in its axes and its unit; the world's are the items.
+template<typename Use>
+void Anchor::forEachChild(std::size_t levels, Use &&use) const
+{
+    if (levels == 0) {
+        for (std::size_t i = 0; i < m_scene->items.size(); ++i) {
+            const SceneItem &item = m_scene->items[i];
+            const Child child{{0, static_cast<std::uint32_t>(i)},
+                              item.worldFromModel,
+                              Positions{0},
+                              boundingSphere(item)};
+            if (!child.bound.isEmpty()) {
+                use(child);
+            }
+        }
+        return;
+    }
+    if (m_table->stateCount() > mostStates) {
+        m_table->forget();
+    }
+    const Level &node = m_levels[levels - 1];
+    const StateId state = m_table->find(node.state);
+    const std::vector<Sphere> &bounds = m_table->childBounds(state);
+    std::size_t number = 0;
+    for (const ChildRange &range : m_table->expansion(state).ranges) {
+        for (std::uint32_t map = range.firstMap; map < range.endMap; ++map, ++number) {
+            const Sphere &bound = bounds[number];
+            use(Child{{range.set, map},
+                      m_table->graph().set(range.set).maps[map],
+                      m_table->state(range.next).positions,
+                      {node.linear * bound.centre, bound.radius}});
+        }
+    }
+}
+
+std::optional<Anchor::Child> Anchor::childRound(const glm::dvec3 &point, double radius) const
+{
+    std::optional<Child> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    forEachChild(m_levels.size(), [&](const Child &child) {
+        const double share = (glm::distance(child.bound.centre, point) + radius) / child.bound.radius;
+        if (share <= 1.0 && share < least) {
+            least = share;
+            nearest = child;
+        }
+    });
+    return nearest;
+}
+
+std::optional<Anchor::Move> Anchor::descend(const Child &child)
+{
+    const glm::dmat3 product = linear() * child.map.linear;
+    const double ratio = operatorNorm(product);
+    const Move move{ratio, linear() * child.map.translation};
+    if (!(ratio > 0.0) || !std::isfinite(1.0 / ratio) || m_levels.size() >= mostLevels) {
+        return std::nullopt;
+    }
+    m_levels.push_back({child.step, child.map, child.state, product / ratio, ratio});
+    if (m_levels.size() == 1) {
+        setModel();
+    }
+    return move;
+}
+
+Anchor::Move Anchor::ascend()
+{
+    const Level left = std::move(m_levels.back());
+    m_levels.pop_back();
+    if (m_levels.empty()) {
+        setModel();
+    }
+    return {1.0 / left.ratio, -(linear() * left.map.translation) / left.ratio};
+}
+
+bool Anchor::enter(const Step &step)
+{
+    std::optional<Child> found;
+    forEachChild(m_levels.size(), [&](const Child &child) {
+        if (child.step == step) {
+            found = child;
+        }
+    });
+    return found && descend(*found);
+}
+
+/// All children of the node above a level but the one that the way leads through, and the mesh that stands in that node.
+/// size and origin are of the node above, as seen from here; origin is the level's own.
+void Anchor::addSiblings(std::size_t level, double size, const glm::dvec3 &origin, Surroundings &found) const
+{
+    const bool isOnTheWay = level < m_levels.size();
+    const glm::dmat3 axes = size * (level == 0 ? glm::dmat3(1.0) : m_levels[level - 1].linear);
+    const glm::dvec3 through = isOnTheWay ? m_levels[level].map.translation : glm::dvec3(0.0);
+    forEachChild(level, [&](const Child &child) {
+        if (isOnTheWay && child.step == m_levels[level].step) {
+            return;
+        }
+        // Differences first: what lies close to the way is seen from close by.
+        const AffineMap map{axes * child.map.linear, axes * (child.map.translation - through) + origin};
+        const std::size_t item = level == 0 ? child.step.map : m_levels.front().step.map;
+        const auto step = level == 0 ? std::nullopt : std::optional(child.step);
+        found.nodes.push_back({item, child.state, map, level == 0 ? 0 : level - 1, step, false});
+    });
+    if (level > 0 && m_table->expansion(m_table->find(m_levels[level - 1].state)).hasLeaf) {
+        found.nodes.push_back({m_levels.front().step.map,
+                               m_levels[level - 1].state,
+                               {axes, origin - axes * through},
+                               level - 1,
+                               std::nullopt,
+                               true});
+    }
+}
+
+/// Up until the ball is inside, and down from there.
+void Anchor::settle(glm::dvec3 point, double radius, std::vector<Move> &moves)
+{
+    const auto take = [&](const Move &move) {
+        point = move(point);
+        radius /= move.scale;
+        moves.push_back(move);
+    };
+    while (!isInWorld() && !holds(bound(), point, radius, 1.0)) {
+        take(ascend());
+    }
+    while (const auto child = childRound(point, radius)) {
+        const auto move = descend(*child);
+        if (!move) {
+            break;
+        }
+        take(*move);
+    }
+}
+
+std::vector<Anchor::Move> Anchor::follow(const glm::dvec3 &point, double radius)
+{
+    std::vector<Move> moves;
+    const Sphere here = bound();
+    if (isInWorld() || holds(here, point, radius, 1.0) || !holds(here, point, radius, outside)) {
+        settle(point, radius, moves);
+        return moves;
+    }
+    Anchor other = *this;
+    other.settle(point, radius, moves);
+    double size = other.bound().radius;
+    for (const Move &move : moves) {
+        size *= move.scale;
+    }
+    if (size > worthIt * here.radius) {
+        return {};
+    }
+    *this = std::move(other);
+    return moves;
+}
+
+std::shared_ptr<const Surroundings> Anchor::surroundings() const
+{
+    Surroundings found;
+    found.scene = m_scene;
+    found.nearby = bound();
+    for (std::size_t i = 1; i < m_levels.size(); ++i) {
+        found.path.push_back(m_levels[i].step);
+    }
+    double size = 1.0;
+    glm::dvec3 origin(0.0);
+    if (!m_levels.empty()) {
+        found.pathItem = m_levels.front().step.map;
+        const Level &own = m_levels.back();
+        found.nodes.push_back(
+            {m_levels.front().step.map, own.state, {own.linear, glm::dvec3(0.0)}, found.path.size(), {}, false});
+    }
+    for (std::size_t level = m_levels.size(); level-- > 0 && size <= largest;) {
+        size /= m_levels[level].ratio;
+        addSiblings(level, size, origin, found);
+        const glm::dmat3 above = level == 0 ? glm::dmat3(1.0) : m_levels[level - 1].linear;
+        origin -= size * (above * m_levels[level].map.translation);
+    }
+    if (m_levels.empty()) {
+        addSiblings(0, size, origin, found);
+    }
+    const auto itemOf = [](const Surroundings::Node &node) { return node.item; };
+    std::ranges::stable_sort(found.nodes, {}, itemOf);
+    for (const Level &level : m_levels) {
+        found.unitExponent += std::log2(level.ratio);
+    }
+    glm::dmat3 worldFromAbove(1.0);
+    for (const Level &level : m_levels) {
+        found.origin += worldFromAbove * level.map.translation;
+        worldFromAbove = worldFromAbove * level.map.linear;
+    }
+    return std::make_shared<const Surroundings>(std::move(found));
+}
+
+}
