@@ -13,8 +13,10 @@ namespace romanesco {
 
 namespace {
 
-/// A ball leaves a node where it leaves so many times its bound.
-constexpr double outside = 3.0;
+/// A ball enters a node where it lies in so many times its bound: what stands before a corner of the surface, as far from
+/// it as the node is large, lies outside the bound itself. It leaves where it leaves so many times.
+constexpr double inside = 2.0;
+constexpr double outside = 4.0;
 /// Another node is worth a move where it is so much smaller.
 constexpr double worthIt = 1.0 / 3.0;
 /// What is so many times as large as what is here is not looked at.
@@ -110,7 +112,7 @@ std::optional<Anchor::Child> Anchor::childRound(const glm::dvec3 &point, double 
     double least = std::numeric_limits<double>::infinity();
     forEachChild(m_levels.size(), [&](const Child &child) {
         const double share = (glm::distance(child.bound.centre, point) + radius) / child.bound.radius;
-        if (share <= 1.0 && share < least) {
+        if (share <= inside && share < least) {
             least = share;
             nearest = child;
         }
@@ -189,7 +191,7 @@ void Anchor::settle(glm::dvec3 point, double radius, std::vector<Move> &moves)
         radius /= move.scale;
         moves.push_back(move);
     };
-    while (!isInWorld() && !holds(bound(), point, radius, 1.0)) {
+    while (!isInWorld() && !holds(bound(), point, radius, inside)) {
         take(ascend());
     }
     while (const auto child = childRound(point, radius)) {
@@ -205,7 +207,7 @@ std::vector<Anchor::Move> Anchor::follow(const glm::dvec3 &point, double radius)
 {
     std::vector<Move> moves;
     const Sphere here = bound();
-    if (isInWorld() || holds(here, point, radius, 1.0) || !holds(here, point, radius, outside)) {
+    if (isInWorld() || holds(here, point, radius, inside) || !holds(here, point, radius, outside)) {
         settle(point, radius, moves);
         return moves;
     }

@@ -70,8 +70,8 @@ public:
         [[nodiscard]] glm::dvec3 operator()(const glm::dvec3 &old) const { return (old - offset) / scale; }
     };
 
-    /// Goes to the node whose size fits what is looked at: the smallest in whose bound a ball round a point lies, by
-    /// going into the child nearest to it. With hysteresis: out of a node only where the ball leaves three times its
+    /// Goes to the node whose size fits what is looked at: the smallest in twice whose bound a ball round a point lies, by
+    /// going into the child nearest to it. With hysteresis: out of a node only where the ball leaves four times its
     /// bound, or where a node a third as large is found elsewhere. The moves, one for each level up or down, in the order
     /// they happened; each is to be applied to all that is counted from here. Cost: the children of the nodes passed.
     [[nodiscard]] std::vector<Move> follow(const glm::dvec3 &point, double radius);

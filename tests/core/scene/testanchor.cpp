@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <QTest>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "core/scene/anchor.h"
+#include "tests/core/scene/randomscenes.h"
+#include "tests/testmain.h"
+
+namespace romanesco::test {
+
+namespace {
+
+/// Digits enough to tell copies of a thousand levels apart in world coordinates: the oracle.
+using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>, boost::multiprecision::et_off>;
+using LongVector = std::array<Long, 3>;
+
+struct LongMap {
+    std::array<LongVector, 3> columns{LongVector{1, 0, 0}, LongVector{0, 1, 0}, LongVector{0, 0, 1}};
+    LongVector translation{0, 0, 0};
+
+    [[nodiscard]] LongVector turned(const glm::dvec3 &v) const
+    {
+        LongVector result;
+        for (std::size_t i = 0; i < 3; ++i) {
+            result[i] = columns[0][i] * v.x + columns[1][i] * v.y + columns[2][i] * v.z;
+        }
+        return result;
+    }
+    [[nodiscard]] LongMap then(const AffineMap &inner) const
+    {
+        LongMap result;
+        for (int i = 0; i < 3; ++i) {
+            result.columns[static_cast<std::size_t>(i)] = turned(inner.linear[i]);
+        }
+        result.translation = turned(inner.translation);
+        for (std::size_t i = 0; i < 3; ++i) {
+            result.translation[i] += translation[i];
+        }
+        return result;
+    }
+    [[nodiscard]] Long size() const
+    {
+        Long squares = 0;
+        for (const LongVector &column : columns) {
+            for (const Long &number : column) {
+                squares += number * number;
+            }
+        }
+        return sqrt(squares);
+    }
+};
+
+double frobenius(const glm::dmat3 &m)
+{
+    return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
+
+/// Random contractions: turned, mirrored and of unequal scales, so that no chain of them degenerates.
+std::string randomMaps(std::mt19937_64 &random)
+{
+    std::string text = "x. \"m.obj\"\n";
+    std::string names;
+    for (int i = 0; i < 4; ++i) {
+        const auto line = [&](const char *name, double least, double most) {
+            text += name + std::to_string(i);
+            for (int axis = 0; axis < 3; ++axis) {
+                text += ' ' + std::to_string(uniform(random, least, most));
+            }
+            text += '\n';
+        };
+        const double scale = uniform(random, 0.3, 0.6);
+        line("p", -1, 1);
+        line("r", -180, 180);
+        line("s", i == 3 ? 0.9 * scale : scale, scale);
+        text += "m" + std::to_string(i) + ". (p" + std::to_string(i) + ", r" + std::to_string(i) + ", s"
+            + std::to_string(i) + ")\n";
+        names += (i ? ", m" : "m") + std::to_string(i);
+    }
+    return text + "z<x>. [#, " + names + "] x\n<$>. z 1200\n";
+}
+
+std::shared_ptr<const Model> randomModel(std::mt19937_64 &random)
+{
+    const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+    const FractalDescription description = readFdo(randomMaps(random)).description.value();
+    return modelOf(FractalGraph::build(description, boundingSphere(mesh)).value(), mesh);
+}
+
+/// Nodes of surroundings as the world has them.
+class WorldNodes
+{
+public:
+    explicit WorldNodes(const Surroundings &all)
+        : m_all(all)
+    {
+        m_along.push_back(LongMap().then(all.scene->items[all.pathItem].worldFromModel));
+        for (const Step &step : all.path) {
+            m_along.push_back(after(m_along.back(), all.pathItem, step));
+        }
+    }
+
+    [[nodiscard]] LongMap operator()(const Surroundings::Node &node) const
+    {
+        const LongMap map = node.item == m_all.pathItem ? m_along[node.sharedSteps]
+                                                        : LongMap().then(m_all.scene->items[node.item].worldFromModel);
+        return node.step ? after(map, node.item, *node.step) : map;
+    }
+
+private:
+    [[nodiscard]] LongMap after(const LongMap &map, std::size_t item, const Step &step) const
+    {
+        return map.then(m_all.scene->items[item].model->graph.set(step.set).maps[step.map]);
+    }
+
+    const Surroundings &m_all;
+    std::vector<LongMap> m_along;
+};
+
+void enterAtRandom(Anchor &anchor, std::mt19937_64 &random, std::size_t levels, std::uint32_t maps)
+{
+    for (std::size_t i = 0; i < levels; ++i) {
+        QVERIFY(anchor.enter({0, static_cast<std::uint32_t>(random() % maps)}));
+    }
+}
+
+}
+
+class TestAnchor : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nodesStandWhereTheirMapsSay_data();
+    void nodesStandWhereTheirMapsSay();
+    void allThatIsSeenFromTheWorldSurroundsAPlace();
+    void placesFollowWhatIsLookedAt();
+    void goingInAndOutDriftsNowhere();
+    void bordersAreNotCrossedBackAndForth();
+    void whatHasNoExtentIsNotEntered();
+    void whatIsFarKeepsItsDirection();
+};
+
+void TestAnchor::nodesStandWhereTheirMapsSay_data()
+{
+    QTest::addColumn<int>("levels");
+    for (const int levels : {0, 1, 2, 5, 20, 100, 1000}) {
+        QTest::addRow("%d", levels) << levels;
+    }
+}
+
+/// Against products in 700 digits. Seen from here an ancestor's parts are off by rounding, as large as they are.
+void TestAnchor::nodesStandWhereTheirMapsSay()
+{
+    QFETCH(const int, levels);
+    std::mt19937_64 random(7);
+    double worst = 0;
+    for (int round = 0; round < (levels == 1000 ? 1 : 5); ++round) {
+        const auto model = randomModel(random);
+        const auto scene =
+            sceneOf({{.model = model, .worldFromModel = randomPlace(random)},
+                     {.model = model, .worldFromModel = mapFromParts({3, 1, 2}, {10, 20, 30}, {-1, 2, 1.5})},
+                     {.model = model, .worldFromModel = randomPlace(random)}});
+        Anchor anchor(scene);
+        QVERIFY(anchor.enter({0, 1}));
+        enterAtRandom(anchor, random, static_cast<std::size_t>(levels), 4);
+        QCOMPARE(anchor.depth(), std::size_t(levels));
+
+        const auto seen = anchor.surroundings();
+        const auto own = std::ranges::find_if(seen->nodes, [&](const Surroundings::Node &node) {
+            return node.sharedSteps == seen->path.size() && node.item == seen->pathItem && !node.step
+                && !node.isMeshOnly;
+        });
+        QVERIFY(own != seen->nodes.end());
+        const WorldNodes worldFrom(*seen);
+        const LongMap here = worldFrom(*own);
+        const Long unit = here.size() / frobenius(own->hereFromNode.linear);
+        QVERIFY(std::abs(static_cast<double>(log2(unit)) - seen->unitExponent) < 1e-9);
+        QVERIFY(levels < 20 || seen->nodes.size() > 60);
+        for (const Surroundings::Node &node : seen->nodes) {
+            const LongMap map = worldFrom(node);
+            const double size = std::max(1.0, frobenius(node.hereFromNode.linear));
+            // a step of the path may be as large as ten of these
+            const double rounding = 1e-14 * 10 * size + 1e-15 * glm::length(node.hereFromNode.translation);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const auto axis = static_cast<glm::length_t>(i);
+                const Long offset = (map.translation[i] - here.translation[i]) / unit;
+                const double off = std::abs(static_cast<double>(offset - node.hereFromNode.translation[axis]));
+                worst = std::max(worst, off / rounding);
+                for (std::size_t column = 0; column < 3; ++column) {
+                    const double number = node.hereFromNode.linear[static_cast<glm::length_t>(column)][axis];
+                    worst = std::max(worst,
+                                     std::abs(static_cast<double>(map.columns[column][i] / unit - number)) / rounding);
+                }
+            }
+        }
+    }
+    QVERIFY2(worst <= 1.0, qPrintable(QString::number(worst)));
+}
+
+/// Each copy of a small fractal is below exactly one node.
+void TestAnchor::allThatIsSeenFromTheWorldSurroundsAPlace()
+{
+    std::mt19937_64 random(3);
+    for (int round = 0; round < 50; ++round) {
+        const Written written = randomScene(random);
+        const auto scene = sceneOf(written.items);
+        const auto copiesBelow = [&](const std::shared_ptr<const Surroundings> &seen) {
+            std::vector<glm::dvec3> places;
+            for (const Surroundings::Node &node : seen->nodes) {
+                StateTable table(scene->items[node.item].model->graph);
+                std::vector<std::pair<StateId, AffineMap>> open{{table.find(node.state), node.hereFromNode}};
+                while (!open.empty()) {
+                    const auto [state, map] = open.back();
+                    open.pop_back();
+                    const Expansion expansion = table.expansion(state);
+                    if (expansion.hasLeaf || node.isMeshOnly) {
+                        places.push_back(map(glm::dvec3(0.1, 0.2, 0.3)));
+                    }
+                    for (const ChildRange &range : expansion.ranges) {
+                        for (std::uint32_t i = range.firstMap; i < range.endMap && !node.isMeshOnly; ++i) {
+                            open.emplace_back(range.next, map * table.graph().set(range.set).maps[i]);
+                        }
+                    }
+                }
+            }
+            return places;
+        };
+        Anchor anchor(scene);
+        const auto fromWorld = copiesBelow(anchor.surroundings());
+        const std::vector<Anchor::Move> moves = anchor.follow(randomPoint(random, 4), 0.0);
+        auto fromHere = copiesBelow(anchor.surroundings());
+        QCOMPARE(fromHere.size(), fromWorld.size());
+        // Back to the world, each has its place.
+        for (glm::dvec3 &place : fromHere) {
+            for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
+                place = place * move->scale + move->offset;
+            }
+        }
+        for (const glm::dvec3 &place : fromWorld) {
+            const auto near =
+                std::ranges::min_element(fromHere, {}, [&](const glm::dvec3 &q) { return glm::distance(q, place); });
+            QVERIFY(glm::distance(*near, place) < 1e-11);
+            fromHere.erase(near);
+        }
+    }
+}
+
+/// Down to the last level of a sponge of a thousand, and up again.
+void TestAnchor::placesFollowWhatIsLookedAt()
+{
+    const auto scene = std::make_shared<const Scene>(romanesco::sceneOf(modelOf(QStringLiteral("menger"), 1000)));
+    Anchor anchor(scene);
+    glm::dvec3 p(5.0, 4.0, -6.0);
+    std::size_t frames = 0;
+    std::size_t rebased = 0;
+    const auto follow = [&] {
+        for (const Anchor::Move &move : anchor.follow(p, 0.0)) {
+            p = move(p);
+            ++rebased;
+        }
+        ++frames;
+    };
+    while (anchor.depth() < 1000 && frames < 5000) {
+        // towards a corner of what is here
+        const Sphere bound = anchor.bound();
+        const glm::dvec3 target = bound.centre + bound.radius / std::sqrt(3.0) * glm::dvec3(1, 1, -1);
+        p = target + 0.8 * (p - target);
+        follow();
+        QVERIFY(glm::distance(p, anchor.bound().centre) <= 4.0 * anchor.bound().radius || anchor.isInWorld());
+        QVERIFY(std::abs(glm::length(anchor.surroundings()->nodes.front().hereFromNode.linear[0]) - 1) < 1e-9
+                || frames > 100);
+    }
+    QCOMPARE(anchor.depth(), 1000u);
+    QCOMPARE(rebased, 1001u);
+    const double expected = 1000 * std::log(3.0) / -std::log(0.8);
+    QVERIFY(std::abs(double(frames) - expected) < 20);
+    while (!anchor.isInWorld() && frames < 10'000) {
+        p = anchor.bound().centre + (p - anchor.bound().centre) / 0.8 + glm::dvec3(0, 1e-3, 0);
+        follow();
+    }
+    QVERIFY(anchor.isInWorld());
+    QVERIFY2(glm::distance(p, anchor.bound().centre) < 10 * anchor.bound().radius, "not lost");
+}
+
+void TestAnchor::goingInAndOutDriftsNowhere()
+{
+    const auto scene = sceneOf({{.model = modelOf(QStringLiteral("menger"), 2000)}});
+    Anchor anchor(scene);
+    QVERIFY(anchor.enter({0, 0}));
+    std::mt19937_64 random(4);
+    const std::uint32_t maps = 20;
+    enterAtRandom(anchor, random, 1000, maps);
+    glm::dvec3 p = anchor.bound().centre + glm::dvec3(0.2, 0.1, -0.3);
+    glm::dvec3 target = p + glm::dvec3(0.05, 0.02, 0.1);
+    std::size_t rebased = 0;
+    const auto follow = [&] {
+        for (const Anchor::Move &move : anchor.follow(p, 0.0)) {
+            p = move(p);
+            target = move(target);
+            ++rebased;
+        }
+    };
+    const auto goOutAndIn = [&] {
+        for (int frame = 0; frame < 20; ++frame) {
+            p = target + (frame < 10 ? 1.5 : 1.0 / 1.5) * (p - target);
+            follow();
+        }
+    };
+    goOutAndIn();
+    const std::vector<Step> path = anchor.surroundings()->path;
+    const glm::dvec3 start = p;
+    const glm::dvec3 first = target;
+    for (int cycle = 0; cycle < 50; ++cycle) {
+        goOutAndIn();
+    }
+    QVERIFY(rebased > 100);
+    // In units of what is looked at, which is a thousand pixels large: 1e-6 of a pixel.
+    QVERIFY(anchor.depth() > 990);
+    QVERIFY(anchor.surroundings()->path == path);
+    QVERIFY2(glm::distance(p, start) < 1e-9 && glm::distance(target, first) < 1e-9,
+             qPrintable(QString::number(glm::distance(p, start))));
+}
+
+void TestAnchor::bordersAreNotCrossedBackAndForth()
+{
+    const auto scene = sceneOf({{.model = modelOf(QStringLiteral("menger"), 30)}});
+    Anchor anchor(scene);
+    QVERIFY(anchor.enter({0, 0}));
+    std::mt19937_64 random(4);
+    enterAtRandom(anchor, random, 10, 20);
+    const Sphere bound = anchor.bound();
+    glm::dvec3 p = bound.centre + glm::dvec3(0, 0, -2.0001) * bound.radius;
+    int rebased = 0;
+    for (int frame = 0; frame < 100; ++frame) {
+        glm::dvec3 step(0, 0, (frame % 2 ? 1.0 : -1.0) * 2e-4 * bound.radius);
+        for (const Anchor::Move &move : anchor.follow(p, 0.4 * bound.radius)) {
+            p = move(p);
+            ++rebased;
+        }
+        p += step;
+    }
+    QVERIFY2(rebased <= 6, qPrintable(QString::number(rebased)));
+}
+
+void TestAnchor::whatHasNoExtentIsNotEntered()
+{
+    const auto model = modelOf(Mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+    const auto scene = sceneOf({{.model = model, .worldFromModel = {glm::dmat3(0.0), {1, 2, 3}}}, {.model = model}});
+    Anchor anchor(scene);
+    QVERIFY(!anchor.enter({0, 0}));
+    QVERIFY(!anchor.enter({0, 2}));
+    QVERIFY(anchor.isInWorld());
+    QVERIFY(anchor.follow({1, 2, 3}, 0.0).empty());
+    QVERIFY(anchor.enter({0, 1}));
+    QVERIFY2(!anchor.enter({0, 0}), "a mesh has no parts");
+}
+
+void TestAnchor::whatIsFarKeepsItsDirection()
+{
+    const auto scene = sceneOf({{.model = modelOf(QStringLiteral("menger"), 2000)}});
+    Anchor anchor(scene);
+    QVERIFY(anchor.enter({0, 0}));
+    const glm::dvec3 light(20, 40, -10);
+    for (int level = 0; level < 2000; ++level) {
+        const glm::dvec3 here = anchor.surroundings()->hereFromWorld(light);
+        const glm::dvec3 direction = glm::normalize(here);
+        QVERIFY(std::isfinite(glm::length(here)));
+        QVERIFY(glm::distance(direction, glm::normalize(light - anchor.surroundings()->origin)) < 1e-12);
+        QVERIFY(anchor.enter({0, 0}));
+        level += level > 100 ? 300 : 20;
+    }
+}
+
+}
+
+ROMANESCO_TEST(romanesco::test::TestAnchor)
+#include "testanchor.moc"
