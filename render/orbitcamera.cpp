@@ -27,7 +27,7 @@ glm::dmat3 levelRotation(double yaw, double pitch)
 void OrbitCamera::start(const Camera &camera, const Scene &scene)
 {
     m_camera = camera;
-    m_sceneSize = glm::length(scene.extent.size());
+    m_nearbySize = glm::length(scene.extent.size());
     const glm::dmat3 &axes = camera.worldFromCamera;
     m_yaw = std::atan2(axes[2].x, axes[2].z);
     m_pitch = std::asin(std::clamp(axes[2].y, -1.0, 1.0));
@@ -35,8 +35,8 @@ void OrbitCamera::start(const Camera &camera, const Scene &scene)
     m_roll = std::atan2(glm::dot(axes[0], level[1]), glm::dot(axes[0], level[0]));
 
     double away = glm::dot(scene.extent.centre() - camera.position, axes[2]);
-    if (away < 1e-3 * m_sceneSize || away <= 0.0) {
-        away = m_sceneSize > 0.0 ? m_sceneSize : 1.0;
+    if (away < 1e-3 * m_nearbySize || away <= 0.0) {
+        away = m_nearbySize > 0.0 ? m_nearbySize : 1.0;
     }
     m_pivot = camera.position + axes[2] * away;
 }
@@ -53,7 +53,7 @@ void OrbitCamera::fit(const Scene &scene, double aspect)
 void OrbitCamera::refit(const Scene &scene, double aspect)
 {
     m_camera = fittedCamera(m_camera, scene, aspect);
-    m_sceneSize = glm::length(scene.extent.size());
+    m_nearbySize = glm::length(scene.extent.size());
     // The pivot is the point of the view's axis that is nearest to the middle, so that turning keeps the scene in view.
     const glm::dvec3 &forward = m_camera.worldFromCamera[2];
     m_pivot = m_camera.position + forward * glm::dot(scene.extent.centre() - m_camera.position, forward);
@@ -84,11 +84,11 @@ void OrbitCamera::pan(const glm::dvec2 &movement)
 
 void OrbitCamera::zoom(double factor, const glm::dvec2 &pointer)
 {
-    // Between a ten-thousandth of the scene and a million times it: past that, numbers and the near plane end the view.
-    if (m_sceneSize > 0.0) {
+    // Past that, numbers and the near plane end the view.
+    if (m_nearbySize > 0.0) {
         const double height = planeHeight();
-        factor =
-            std::clamp(factor, std::min(1.0, 1e-4 * m_sceneSize / height), std::max(1.0, 1e6 * m_sceneSize / height));
+        const double most = m_isNearbyWhole ? std::max(1.0, 1e6 * m_nearbySize / height) : factor;
+        factor = std::clamp(factor, std::min(1.0, 1e-4 * m_nearbySize / height), std::max(1.0, most));
     }
     const glm::dvec3 target = m_pivot + m_camera.worldFromCamera * glm::dvec3(pointer * planeHeight(), 0.0);
     m_camera.position = target + (m_camera.position - target) * factor;
@@ -105,6 +105,19 @@ void OrbitCamera::setProjection(Projection projection)
     }
     m_camera.projection = projection;
     m_camera.viewHeight = height;
+}
+
+void OrbitCamera::move(const Anchor::Move &move)
+{
+    m_camera.position = move(m_camera.position);
+    m_pivot = move(m_pivot);
+    m_camera.viewHeight /= move.scale;
+}
+
+void OrbitCamera::setNearby(double size, bool isWhole)
+{
+    m_nearbySize = size;
+    m_isNearbyWhole = isWhole;
 }
 
 void OrbitCamera::setDirection(double yaw, double pitch)

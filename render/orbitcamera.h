@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 
 #include "camera.h"
+#include "core/scene/anchor.h"
 
 namespace romanesco {
 
@@ -29,10 +30,15 @@ public:
     /// Moves with the pointer, so that the pivot's plane stays under it.
     void pan(const glm::dvec2 &movement);
     /// Moves towards (factor < 1) or away from the point of the pivot's plane under the pointer, from a ten-thousandth
-    /// of the scene in view to a million times it.
+    /// of what is nearby in view to a million times the scene.
     void zoom(double factor, const glm::dvec2 &pointer);
     /// Perspective and orthographic, the pivot's plane kept at its size.
     void setProjection(Projection projection);
+
+    /// Counts everything from another place.
+    void move(const Anchor::Move &move);
+    /// The size of what is nearby, and whether that is the whole scene.
+    void setNearby(double size, bool isWhole);
 
     [[nodiscard]] const Camera &camera() const { return m_camera; }
     [[nodiscard]] const glm::dvec3 &pivot() const { return m_pivot; }
@@ -45,7 +51,8 @@ private:
 
     Camera m_camera;
     glm::dvec3 m_pivot{0.0};
-    double m_sceneSize = 0.0;
+    double m_nearbySize = 0.0;
+    bool m_isNearbyWhole = true;
     double m_yaw = 0.0;
     double m_pitch = 0.0;
     /// From the horizontal to the camera's right, towards up.

@@ -62,6 +62,7 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
         && !(m_scene->camera && cameraOf(*m_scene->camera) == cameraOf(*scene->camera));
     m_resetsView = m_resetsView || hasNewCamera;
     m_scene = std::move(scene);
+    m_view.setScene(m_scene);
     m_isSceneNew = true;
     // A text that changes is followed coarsely where a fine picture takes its time.
     if (m_fineMilliseconds > slowMilliseconds) {
@@ -79,7 +80,7 @@ void Viewport::resetView()
 void Viewport::fit()
 {
     if (m_scene) {
-        m_orbit.refit(*m_scene, aspect());
+        m_view.refit(aspect());
         cameraChanged();
     }
 }
@@ -88,13 +89,13 @@ void Viewport::lookFrom(Side side)
 {
     switch (side) {
     case Side::Front:
-        m_orbit.look(0.0, 0.0);
+        m_view.look(0.0, 0.0);
         break;
     case Side::Right:
-        m_orbit.look(-90.0, 0.0);
+        m_view.look(-90.0, 0.0);
         break;
     case Side::Top:
-        m_orbit.look(0.0, -90.0);
+        m_view.look(0.0, -90.0);
         break;
     }
     cameraChanged();
@@ -102,8 +103,8 @@ void Viewport::lookFrom(Side side)
 
 void Viewport::setProjection(Projection projection)
 {
-    if (projection != m_orbit.camera().projection) {
-        m_orbit.setProjection(projection);
+    if (projection != camera().projection) {
+        m_view.setProjection(projection);
         cameraChanged();
         Q_EMIT projectionChanged(projection);
     }
@@ -185,16 +186,12 @@ void Viewport::drawOn()
 
 void Viewport::startView()
 {
-    const Projection before = m_orbit.camera().projection;
-    if (m_scene->camera) {
-        m_orbit.start(cameraOf(*m_scene->camera), *m_scene);
-    } else {
-        m_orbit.fit(*m_scene, aspect());
-    }
+    const Projection before = camera().projection;
+    m_view.start(aspect());
     // Counts as a movement: nobody knows yet what a fine picture of this scene takes, and a coarse one is soon there.
     cameraChanged();
-    if (m_orbit.camera().projection != before) {
-        Q_EMIT projectionChanged(m_orbit.camera().projection);
+    if (camera().projection != before) {
+        Q_EMIT projectionChanged(camera().projection);
     }
 }
 
@@ -213,7 +210,8 @@ void Viewport::beginPictureIfDue()
         m_renderer->setScene(m_scene);
     }
     View view;
-    view.camera = m_orbit.camera();
+    view.camera = camera();
+    view.surroundings = m_view.surroundings();
     view.width = wanted.width;
     view.height = wanted.height;
     view.pixelTolerance = wanted.pixelTolerance;
@@ -319,9 +317,9 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
     const glm::dvec2 movement = inHeights(event->position() - m_lastAt);
     m_lastAt = event->position();
     if (m_drag == Drag::Orbit) {
-        m_orbit.orbit(movement);
+        m_view.orbit(movement);
     } else {
-        m_orbit.pan(movement);
+        m_view.pan(movement);
     }
     cameraChanged();
 }
@@ -337,7 +335,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent *event)
 void Viewport::wheelEvent(QWheelEvent *event)
 {
     const QPointF fromMiddle = event->position() - QPointF(width() / 2.0, height() / 2.0);
-    m_orbit.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), inHeights(fromMiddle));
+    m_view.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), inHeights(fromMiddle));
     cameraChanged();
     event->accept();
 }
@@ -360,7 +358,7 @@ void Viewport::keyPressEvent(QKeyEvent *event)
         break;
     case Qt::Key_Plus:
     case Qt::Key_Minus:
-        m_orbit.zoom(event->key() == Qt::Key_Plus ? zoomOfNotch : 1.0 / zoomOfNotch, glm::dvec2(0.0));
+        m_view.zoom(event->key() == Qt::Key_Plus ? zoomOfNotch : 1.0 / zoomOfNotch, glm::dvec2(0.0));
         cameraChanged();
         return;
     default:
@@ -368,9 +366,9 @@ void Viewport::keyPressEvent(QKeyEvent *event)
         return;
     }
     if (event->modifiers() & Qt::ShiftModifier) {
-        m_orbit.pan(way);
+        m_view.pan(way);
     } else {
-        m_orbit.orbit(way);
+        m_view.orbit(way);
     }
     cameraChanged();
 }

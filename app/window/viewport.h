@@ -8,8 +8,8 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "render/orbitcamera.h"
 #include "render/renderer.h"
+#include "render/sceneview.h"
 
 namespace romanesco {
 
@@ -35,7 +35,8 @@ public:
     void lookFrom(Side side);
     void setProjection(Projection projection);
 
-    [[nodiscard]] const Camera &camera() const { return m_orbit.camera(); }
+    /// Where from, counted from the node that is near (see SceneView).
+    [[nodiscard]] const Camera &camera() const { return m_view.camera(); }
     /// Whether what is seen is the newest scene from the newest view, at its best.
     [[nodiscard]] bool isPictureFinished() const;
 
@@ -96,7 +97,7 @@ private:
     bool m_isSceneNew = false;
     bool m_resetsView = false;
 
-    OrbitCamera m_orbit;
+    SceneView m_view;
     quint64 m_cameraRevision = 0;
     /// Runs while the camera counts as moving.
     QTimer m_rest;

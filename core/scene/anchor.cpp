@@ -19,8 +19,9 @@ constexpr double inside = 2.0;
 constexpr double outside = 4.0;
 /// Another node is worth a move where it is so much smaller.
 constexpr double worthIt = 1.0 / 3.0;
-/// What is so many times as large as what is here is not looked at.
-constexpr double largest = 1e30;
+/// Of what is so many times as large as what is here, the parts that are near would be off by a millionth of what is here;
+/// and little is seen of it between all that is smaller.
+constexpr double largest = 1e9;
 /// Where to keep the direction of what lies farther away.
 constexpr double farthest = 1e100;
 constexpr std::size_t mostLevels = 1'000'000;
@@ -154,6 +155,22 @@ bool Anchor::enter(const Step &step)
         }
     });
     return found && descend(*found);
+}
+
+std::vector<Anchor::Move> Anchor::moveTo(std::shared_ptr<const Scene> scene)
+{
+    Anchor there(std::move(scene));
+    for (const Level &level : m_levels) {
+        if (!there.enter(level.step)) {
+            break;
+        }
+    }
+    std::vector<Move> moves;
+    while (m_levels.size() > there.m_levels.size()) {
+        moves.push_back(ascend());
+    }
+    *this = std::move(there);
+    return moves;
 }
 
 /// All children of the node above a level but the one that the way leads through, and the mesh that stands in that node.

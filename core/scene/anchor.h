@@ -76,6 +76,9 @@ public:
     /// they happened; each is to be applied to all that is counted from here. Cost: the children of the nodes passed.
     [[nodiscard]] std::vector<Move> follow(const glm::dvec3 &point, double radius);
 
+    /// The same place in another scene, or as far along the way there as that scene has it.
+    [[nodiscard]] std::vector<Move> moveTo(std::shared_ptr<const Scene> scene);
+
     /// Goes down from where it is, along one step; false where there is no such child, or it has no extent. From the world
     /// the step's map is the number of an item.
     bool enter(const Step &step);
@@ -86,7 +89,7 @@ public:
     /// Round the node, in coordinates of here; the whole scene in the world.
     [[nodiscard]] Sphere bound() const;
 
-    /// Everything but what is more than 1e30 times as large as what is here; there walls end the view.
+    /// Everything but what stands on a node more than 1e9 times as large as the one here.
     [[nodiscard]] std::shared_ptr<const Surroundings> surroundings() const;
 
 private:

@@ -183,7 +183,7 @@ void TestAnchor::nodesStandWhereTheirMapsSay()
         const LongMap here = worldFrom(*own);
         const Long unit = here.size() / frobenius(own->hereFromNode.linear);
         QVERIFY(std::abs(static_cast<double>(log2(unit)) - seen->unitExponent) < 1e-9);
-        QVERIFY(levels < 20 || seen->nodes.size() > 60);
+        QVERIFY(levels < 20 || seen->nodes.size() > 40);
         for (const Surroundings::Node &node : seen->nodes) {
             const LongMap map = worldFrom(node);
             const double size = std::max(1.0, frobenius(node.hereFromNode.linear));

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace romanesco {
+
+/// How far a picture can be seen into: of squares of pixels, by powers of two, the farthest depth that is drawn there. What
+/// lies behind it all over cannot be seen (Greene, Kass and Miller 1993). Depths are reversed: 1 near, 0 far.
+class DepthPyramid
+{
+public:
+    /// A pixel is a row's next; rows from the bottom. Cost: once through the pixels.
+    void build(std::span<const float> depths, int width, int height);
+    void clear() { m_levels.clear(); }
+    [[nodiscard]] bool isEmpty() const { return m_levels.empty(); }
+
+    /// Whether something is hidden that lies within a rectangle of pixels, both ends included, and nowhere nearer than a
+    /// depth. What reaches out of the picture is judged by what is inside. At most sixteen squares are looked at.
+    [[nodiscard]] bool isHidden(double left, double bottom, double right, double top, double nearest) const;
+
+    [[nodiscard]] std::size_t memoryUse() const;
+
+private:
+    struct Level {
+        int width = 0;
+        int height = 0;
+        std::vector<float> farthest;
+    };
+
+    /// The first is of squares of 4 pixels a side, each next of twice that.
+    std::vector<Level> m_levels;
+};
+
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/scene/anchor.h"
+#include "orbitcamera.h"
+
+namespace romanesco {
+
+/// A camera in a scene, moved by hand, as far inside as there are levels: it is counted from the node that is near
+/// (see Anchor), which changes as it moves. Pointer positions as OrbitCamera has them. One thread.
+class SceneView
+{
+public:
+    /// The camera stays where it is; deep inside, at the node that the same steps lead to in the new scene, or as far
+    /// along them as they go. Null shows nothing.
+    void setScene(std::shared_ptr<const Scene> scene);
+
+    /// The view that a scene begins with: from its own camera, or all of it.
+    void start(double aspect);
+    /// All of the scene, from where the camera looks now.
+    void refit(double aspect);
+
+    // As OrbitCamera's.
+    void look(double yawDegrees, double pitchDegrees);
+    void orbit(const glm::dvec2 &movement);
+    void pan(const glm::dvec2 &movement);
+    void zoom(double factor, const glm::dvec2 &pointer);
+    void setProjection(Projection projection);
+
+    /// In the coordinates of surroundings().
+    [[nodiscard]] const Camera &camera() const { return m_orbit.camera(); }
+    [[nodiscard]] const glm::dvec3 &pivot() const { return m_orbit.pivot(); }
+    /// Null without a scene.
+    [[nodiscard]] const std::shared_ptr<const Surroundings> &surroundings() const { return m_surroundings; }
+
+private:
+    void toWorld();
+    void follow();
+    void settle();
+
+    std::shared_ptr<const Scene> m_scene;
+    std::optional<Anchor> m_anchor;
+    std::shared_ptr<const Surroundings> m_surroundings;
+    OrbitCamera m_orbit;
+};
+
+}

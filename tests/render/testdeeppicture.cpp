@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include <cmath>
+#include <cstdlib>
+
+#include <QFile>
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "core/base/file.h"
+#include "render/headless/eglcontext.h"
+#include "render/renderer.h"
+#include "render/sceneview.h"
+#include "scenes.h"
+#include "tests/testmain.h"
+
+using namespace romanesco;
+
+namespace {
+
+constexpr int width = 320;
+constexpr int height = 240;
+
+View viewOf(const SceneView &from)
+{
+    View view;
+    view.camera = from.camera();
+    view.surroundings = from.surroundings();
+    view.width = width;
+    view.height = height;
+    view.backgroundTop = {0, 0, 1};
+    view.backgroundBottom = {0, 0, 1};
+    return view;
+}
+
+double shareOfDifferent(const Picture &a, const Picture &b)
+{
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        different += std::abs(int(a.pixels[i]) - int(b.pixels[i])) > 8 ? 1 : 0;
+    }
+    return double(different) / double(a.pixels.size());
+}
+
+double shareOfBackground(const Picture &picture)
+{
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < picture.pixels.size(); i += 3) {
+        found += picture.pixels[i] == 0 && picture.pixels[i + 1] == 0 && picture.pixels[i + 2] == 255 ? 1 : 0;
+    }
+    return 3.0 * double(found) / double(picture.pixels.size());
+}
+
+std::shared_ptr<const Scene> example(const std::string &name, const std::string &depth = {})
+{
+    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/" + name;
+    const DiskFiles files;
+    std::string text = files.read(path).value();
+    if (!depth.empty()) {
+        const std::size_t last = text.rfind(' ', text.find_last_of("0123456789"));
+        text = text.substr(0, last + 1) + depth + "\n";
+    }
+    return SceneLoader(files).load(path, text).scene;
+}
+
+}
+
+/// Views that are counted from places inside.
+class TestDeepPicture : public QObject
+{
+    Q_OBJECT
+
+    std::unique_ptr<EglContext> m_context;
+    std::unique_ptr<Renderer> m_renderer;
+
+    Picture draw(const std::shared_ptr<const Scene> &scene, const View &view)
+    {
+        m_renderer->setScene(scene);
+        m_renderer->begin(view);
+        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
+        return m_renderer->read();
+    }
+
+private Q_SLOTS:
+    void initTestCase();
+    void placesInsideShowWhatTheWorldShows_data();
+    void placesInsideShowWhatTheWorldShows();
+    void spongesLookTheSameAtAnyDepth();
+    void anotherTextKeepsThePlace();
+    void coloursAndSelectionsReachInside();
+    void picturesOfOtherScenesAreNotMixedUp();
+};
+
+void TestDeepPicture::initTestCase()
+{
+    auto context = EglContext::create();
+    QVERIFY2(context, context ? "" : context.error().c_str());
+    m_context = std::move(*context);
+    auto renderer = Renderer::create();
+    QVERIFY2(renderer, renderer ? "" : renderer.error().c_str());
+    m_renderer = std::move(*renderer);
+}
+
+void TestDeepPicture::placesInsideShowWhatTheWorldShows_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<bool>("isPerspective");
+    for (const char *file : {"menger.fdo", "tree.fdo", "romanesco.fdo", "two-sets.fdo", "terrain.sdo"}) {
+        QTest::addRow("%s", file) << QString::fromLatin1(file) << true;
+        QTest::addRow("%s, orthographic", file) << QString::fromLatin1(file) << false;
+    }
+}
+
+/// Where both can tell: some levels down.
+void TestDeepPicture::placesInsideShowWhatTheWorldShows()
+{
+    QFETCH(const QString, file);
+    QFETCH(const bool, isPerspective);
+    const auto scene = example(file.toStdString());
+    QVERIFY(scene);
+    SceneView inside;
+    inside.setScene(scene);
+    inside.start(double(width) / height);
+    inside.setProjection(isPerspective ? Projection::Perspective : Projection::Orthographic);
+    OrbitCamera outside;
+    outside.start(startCamera(*scene, double(width) / height), *scene);
+    if (!scene->camera) {
+        outside.fit(*scene, double(width) / height);
+    }
+    outside.setProjection(inside.camera().projection);
+    std::size_t deepest = 0;
+    for (int i = 0; i < 12; ++i) {
+        inside.zoom(0.75, {0.1, 0.05});
+        outside.zoom(0.75, {0.1, 0.05});
+        inside.orbit({0.02, 0.0});
+        outside.orbit({0.02, 0.0});
+        deepest = std::max(deepest, inside.surroundings()->path.size());
+        if (i % 4 == 3) {
+            View world = viewOf(inside);
+            world.camera = outside.camera();
+            world.surroundings.reset();
+            const Picture expected = draw(scene, world);
+            const Picture found = draw(scene, viewOf(inside));
+            const double off = shareOfDifferent(expected, found);
+            QVERIFY2(off < 0.004, qPrintable(QStringLiteral("%1: %2").arg(i).arg(off)));
+        }
+    }
+    QVERIFY(deepest > 0);
+}
+
+void TestDeepPicture::spongesLookTheSameAtAnyDepth()
+{
+    const auto scene = example("menger.fdo", "3000");
+    QVERIFY(scene);
+    Anchor anchor(scene);
+    QVERIFY(anchor.enter({0, 0}));
+    std::optional<Picture> first;
+    for (int level = 1; level <= 2000; ++level) {
+        QVERIFY(anchor.enter({0, static_cast<std::uint32_t>(level % 7)}));
+        if (level < 140 || level % 140 != 0) {
+            continue;
+        }
+        View view;
+        view.width = width;
+        view.height = height;
+        view.pixelTolerance = 8.0;
+        view.surroundings = anchor.surroundings();
+        const Sphere bound = anchor.bound();
+        view.camera.position = bound.centre + bound.radius * glm::dvec3(0.9, 0.8, -1.1);
+        view.camera.worldFromCamera = rotationLooking(bound.centre - view.camera.position);
+        const Picture picture = draw(scene, view);
+        QVERIFY(first || shareOfBackground(picture) < 0.9);
+        if (!first) {
+            first = picture;
+        }
+        const double off = shareOfDifferent(*first, picture);
+        QVERIFY2(off < 0.002, qPrintable(QStringLiteral("%1: %2").arg(level).arg(off)));
+    }
+}
+
+void TestDeepPicture::anotherTextKeepsThePlace()
+{
+    SceneView view;
+    view.setScene(example("menger.fdo", "3"));
+    view.start(double(width) / height);
+    for (int i = 0; i < 10; ++i) {
+        view.zoom(0.8, {0.2, 0.2});
+    }
+    const auto before = view.surroundings();
+    const Camera camera = view.camera();
+    QVERIFY(before->path.size() >= 2);
+    view.setScene(example("menger.fdo", "9"));
+    QVERIFY(view.surroundings()->path.size() >= before->path.size());
+    view.setScene(example("menger.fdo", "3"));
+    QVERIFY(view.surroundings()->path.size() <= 3);
+    view.setScene(example("menger.fdo", "0"));
+    QVERIFY(view.surroundings()->path.empty());
+    // The same place all the time, counted from wherever.
+    const auto placeInWorld = [](const SceneView &from) {
+        const Surroundings &all = *from.surroundings();
+        return all.origin + std::exp2(all.unitExponent) * from.camera().position;
+    };
+    const glm::dvec3 expected = before->origin + std::exp2(before->unitExponent) * camera.position;
+    QVERIFY(glm::distance(placeInWorld(view), expected) < 1e-9);
+    view.setScene(nullptr);
+    QVERIFY(!view.surroundings());
+}
+
+void TestDeepPicture::coloursAndSelectionsReachInside()
+{
+    const auto scene = example("menger.fdo", "3");
+    SceneView inside;
+    inside.setScene(scene);
+    inside.start(double(width) / height);
+    OrbitCamera outside;
+    outside.fit(*scene, double(width) / height);
+    for (int i = 0; i < 8; ++i) {
+        inside.zoom(0.8, {0.2, 0.2});
+        outside.zoom(0.8, {0.2, 0.2});
+    }
+    QVERIFY(inside.surroundings()->path.size() >= 2);
+    for (const Colouring colouring : {Colouring::Depth, Colouring::Branch, Colouring::Set, Colouring::Materials}) {
+        View view = viewOf(inside);
+        view.appearance.colours.colouring = colouring;
+        Address address;
+        for (std::size_t i = 0; i < 2; ++i) {
+            address.push_back({i, inside.surroundings()->path[i].map});
+        }
+        view.appearance.colours.selection = Selection{0, address};
+        const Picture found = draw(scene, view);
+        view.camera = outside.camera();
+        view.surroundings.reset();
+        const Picture expected = draw(scene, view);
+        QVERIFY2(shareOfDifferent(found, expected) < 0.004, qPrintable(QString::number(int(colouring))));
+        view.appearance.colours = {};
+        QVERIFY(shareOfDifferent(draw(scene, view), expected) > 0.01);
+    }
+}
+
+void TestDeepPicture::picturesOfOtherScenesAreNotMixedUp()
+{
+    const auto scene = example("menger.fdo", "3");
+    const auto other = example("tree.fdo", "3");
+    SceneView view;
+    view.setScene(scene);
+    view.start(double(width) / height);
+    const View ofFirst = viewOf(view);
+    View plain = ofFirst;
+    plain.surroundings.reset();
+    QVERIFY(draw(other, ofFirst).pixels == draw(other, plain).pixels);
+}
+
+ROMANESCO_TEST(TestDeepPicture)
+#include "testdeeppicture.moc"
