@@ -34,7 +34,7 @@ double frobeniusNorm(const glm::dmat3 &matrix)
 
 }
 
-Projector::Projector(const Camera &camera, const Sphere &nearby, int width, int height)
+Projector::Projector(const Camera &camera, const Sphere &nearby, double reach, int viewWidth, int viewHeight)
     : projection(camera.projection)
     , position(camera.position)
 {
@@ -42,14 +42,47 @@ Projector::Projector(const Camera &camera, const Sphere &nearby, int width, int 
     const double distance = glm::distance(camera.position, nearby.centre);
     unit = std::max({size, distance, std::numeric_limits<double>::min()});
     cameraFromHere = glm::transpose(camera.worldFromCamera) / unit;
-    range = (distance + size) / unit;
+    range = (distance + std::max(reach, nearby.radius)) / unit;
     const bool isPerspective = projection == Projection::Perspective;
     // What is narrower has no more pixels that differ, and floats would end.
     const double angle = std::max(camera.fieldOfView, leastFieldOfView);
     scaleY = isPerspective ? 1.0 / std::tan(0.5 * angle * std::numbers::pi / 180.0)
                            : 2.0 * unit / std::max(camera.viewHeight, leastViewHeight * unit);
-    scaleX = scaleY * height / width;
-    pixels = 0.5 * scaleY * height;
+    scaleX = scaleY * viewHeight / viewWidth;
+    pixels = 0.5 * scaleY * viewHeight;
+    width = viewWidth;
+    height = viewHeight;
+}
+
+/// As the shaders have it: reversed.
+double Projector::depthOf(double z) const
+{
+    if (projection == Projection::Perspective) {
+        return near / z;
+    }
+    return 0.5 - 0.5 * (isDeep() ? std::copysign(std::log1p(std::abs(z)) / std::log1p(range), z) : z / range);
+}
+
+bool Projector::isHidden(const Sphere &sphere, const DepthPyramid &drawn) const
+{
+    const bool isPerspective = projection == Projection::Perspective;
+    const double front = sphere.centre.z - sphere.radius;
+    if (isPerspective && front <= near) {
+        return false;
+    }
+    // The sphere lies in the box round it, whose corners bound its picture.
+    const double back = sphere.centre.z + sphere.radius;
+    const glm::dvec2 low = glm::dvec2(sphere.centre) - sphere.radius;
+    const glm::dvec2 high = glm::dvec2(sphere.centre) + sphere.radius;
+    const glm::dvec2 least = isPerspective ? glm::min(low / front, low / back) : low;
+    const glm::dvec2 most = isPerspective ? glm::max(high / front, high / back) : high;
+    const glm::dvec2 scale(scaleX, scaleY);
+    const glm::dvec2 size(width, height);
+    const glm::dvec2 from = (0.5 + 0.5 * (scale * least + jitter)) * size - 1.0;
+    const glm::dvec2 to = (0.5 + 0.5 * (scale * most + jitter)) * size + 1.0;
+    // The card's depths are rounded.
+    const double nearest = depthOf(front) * (1.0 + 1e-5);
+    return drawn.isHidden(from.x, from.y, to.x, to.y, nearest);
 }
 
 AffineMap Projector::cameraFrom(const AffineMap &hereFromNode) const
@@ -91,6 +124,7 @@ void Cut::begin(const Projector &projector, std::span<const Surroundings::Node> 
     for (const Surroundings::Node &node : nodes) {
         addRoot(node);
     }
+    sortFrom(0);
 }
 
 void Cut::addRoot(const Surroundings::Node &node)
@@ -108,7 +142,7 @@ void Cut::addRoot(const Surroundings::Node &node)
     if (node.isMeshOnly || isSmall(bound)) {
         place(map, state, marks, node.isMeshOnly);
     } else {
-        m_open.push_back({state, planes, map, norm, marks});
+        m_open.push_back({state, planes, map, norm, marks, distanceTo(bound)});
     }
 }
 
@@ -121,7 +155,11 @@ const std::vector<Instance> &Cut::next(std::size_t count)
     for (std::size_t visits = 0; !m_open.empty() && m_ready.size() < count && visits < 4 * count; ++visits) {
         const Node node = m_open.back();
         m_open.pop_back();
+        const std::size_t first = m_open.size();
         visit(node);
+        if (m_drawn) {
+            sortFrom(first);
+        }
         // Those on the way down are made anew, which has to be worth it.
         if (m_table.stateCount() > std::max(mostStates, 2 * m_open.size())) {
             forgetStates();
@@ -169,7 +207,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
 {
     const Sphere seen{node.map(bound.centre), node.norm * bound.radius};
     unsigned planes = node.planes;
-    if (isOutside(seen, planes)) {
+    if (isOutside(seen, planes) || isBehind(seen)) {
         return;
     }
     const FractalGraph &graph = m_model.graph;
@@ -180,7 +218,7 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
         return;
     }
     const double norm = std::min(node.norm * graph.facts(range.set)[map].norm, frobeniusNorm(composed.linear));
-    m_open.push_back({range.next, planes, composed, norm, marks});
+    m_open.push_back({range.next, planes, composed, norm, marks, distanceTo(seen)});
 }
 
 /// Of the base mesh, moved to the unit sphere. Where it stands for more than itself (isWhole is false) and lies outside
@@ -233,6 +271,23 @@ bool Cut::isSmall(const Sphere &sphere) const
     const bool isPerspective = m_projector.projection == Projection::Perspective;
     const double distance = isPerspective ? std::max(sphere.centre.z, m_projector.near) : 1.0;
     return 2.0 * sphere.radius * m_projector.pixels < m_tolerance * distance;
+}
+
+bool Cut::isBehind(const Sphere &sphere) const
+{
+    return m_drawn && !m_drawn->isEmpty() && m_projector.isHidden(sphere, *m_drawn);
+}
+
+double Cut::distanceTo(const Sphere &sphere) const
+{
+    return m_projector.projection == Projection::Perspective ? glm::length(sphere.centre) : sphere.centre.z;
+}
+
+/// The nearest is the last, which is looked at first.
+void Cut::sortFrom(std::size_t first)
+{
+    std::sort(m_open.begin() + static_cast<std::ptrdiff_t>(first), m_open.end(),
+              [](const Node &a, const Node &b) { return a.distance > b.distance; });
 }
 
 void Cut::forgetStates()

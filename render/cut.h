@@ -10,6 +10,7 @@
 #include "camera.h"
 #include "core/fractal/statetable.h"
 #include "core/scene/anchor.h"
+#include "depthpyramid.h"
 #include "tint.h"
 
 namespace romanesco {
@@ -25,8 +26,8 @@ static_assert(sizeof(Instance) == 48);
 /// scene of any size fits the card's floats.
 struct Projector {
     Projector() = default;
-    /// nearby: round what is looked at, in the camera's coordinates.
-    Projector(const Camera &camera, const Sphere &nearby, int width, int height);
+    /// nearby: round what is looked at, in the camera's coordinates; from its middle nothing is farther than reach.
+    Projector(const Camera &camera, const Sphere &nearby, double reach, int viewWidth, int viewHeight);
 
     /// A node's own coordinates to the camera's, in units of the view. What is near the camera keeps its precision
     /// however far from the origin both are.
@@ -42,10 +43,23 @@ struct Projector {
     double scaleY = 1.0;
     /// Perspective: nothing nearer is drawn. A hundred-thousandth of the scene's size and distance.
     double near = 1e-5;
-    /// Orthographic: depth runs over ±range.
+    /// Orthographic: depth runs over ±range, in logarithms where that is long.
     double range = 1.0;
+    [[nodiscard]] bool isDeep() const { return projection == Projection::Orthographic && range > longRange; }
     /// Pixels for each unit sideways, at distance 1 for perspective.
     double pixels = 1.0;
+    /// Of the picture, in pixels; and how far its pixels are shifted, in clip coordinates.
+    int width = 0;
+    int height = 0;
+    glm::dvec2 jitter{0.0};
+
+    /// Whether a sphere in the camera's axes lies wholly behind what is drawn.
+    [[nodiscard]] bool isHidden(const Sphere &sphere, const DepthPyramid &drawn) const;
+
+private:
+    static constexpr double longRange = 100.0;
+
+    [[nodiscard]] double depthOf(double z) const;
 };
 
 /// The copies of a model to draw for a view: the graph walked from some nodes, its root or what surrounds a place deep
@@ -66,6 +80,10 @@ public:
 
     /// From the next begin() on: how copies are coloured.
     void setTinter(Tinter tinter) { m_tinter = std::move(tinter); }
+
+    /// From now on what lies behind all that is drawn is left out, and what is near comes before what is far; null leaves
+    /// out nothing. The pyramid may become another between calls of next(), but only nearer.
+    void setDrawn(const DepthPyramid *drawn) { m_drawn = drawn; }
 
     /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
     /// walked without finding any, so that each call is short. The reference holds until the next call.
@@ -95,6 +113,8 @@ private:
         /// At least the operator norm of the map.
         double norm;
         Marks marks;
+        /// From the camera to the middle of its bound.
+        double distance;
     };
     struct Plane {
         glm::dvec3 normal;
@@ -107,6 +127,9 @@ private:
     void place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole);
     [[nodiscard]] bool isOutside(const Sphere &sphere, unsigned &planes) const;
     [[nodiscard]] bool isSmall(const Sphere &sphere) const;
+    [[nodiscard]] bool isBehind(const Sphere &sphere) const;
+    [[nodiscard]] double distanceTo(const Sphere &sphere) const;
+    void sortFrom(std::size_t first);
     void forgetStates();
 
     const Model &m_model;
@@ -121,6 +144,7 @@ private:
     bool m_handedOut = false;
     std::uint64_t m_instances = 0;
     std::uint64_t m_visited = 0;
+    const DepthPyramid *m_drawn = nullptr;
     std::size_t m_memory = 0;
 };
 

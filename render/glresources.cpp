@@ -17,6 +17,12 @@ std::string compilerWords(GLuint shader)
     return words;
 }
 
+/// After the line of the version, which has to come first.
+std::string withMacro(std::string source, const char *macro)
+{
+    return macro ? source.insert(source.find('\n') + 1, std::format("#define {}\n", macro)) : source;
+}
+
 GlTexture makeTexture(int width, int height, GLenum format)
 {
     GLuint name = 0;
@@ -48,7 +54,9 @@ GlVertexArray makeVertexArray()
 std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderStage> stages)
 {
     GlProgram program(glCreateProgram());
-    for (const auto &[kind, source] : stages) {
+    for (const auto &[kind, text, macro] : stages) {
+        const std::string whole = withMacro(text, macro);
+        const char *source = whole.c_str();
         const GLuint shader = glCreateShader(kind);
         glShaderSource(shader, 1, &source, nullptr);
         glCompileShader(shader);

@@ -80,6 +80,8 @@ using GlProgram = GlName<deleteProgram>;
 struct ShaderStage {
     GLenum kind;
     const char *source;
+    /// A macro that is set, or null.
+    const char *macro = nullptr;
 };
 
 /// A linked program, or the compiler's or linker's words.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <format>
+#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -27,6 +28,11 @@ using Clock = std::chrono::steady_clock;
 
 /// Of one draw call. In software these take about ten milliseconds, which is how finely a slice can end.
 constexpr std::size_t mostFaces = 100'000;
+
+/// What is drawn is looked at when as many triangles are sent as cost about as much: a share of the pixels, at least some.
+constexpr std::uint64_t pixelsToTriangle = 8;
+constexpr std::uint64_t leastTriangles = 20'000;
+constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
 
 /// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
 /// square evenly for every n. The only sample of one is the centre itself.
@@ -198,14 +204,20 @@ private:
     void beginPass()
     {
         m_passStart = Clock::now();
+        m_sent = 0;
         m_isDrawn = false;
         if (m_cut) {
-            m_projector.emplace(m_view.camera, m_surroundings->nearby, m_view.width, m_view.height);
+            m_projector.emplace(m_view.camera, m_surroundings->nearby, m_surroundings->reach, m_view.width,
+                                m_view.height);
+            const auto [x, y] = samplePlace(m_passes, m_view.samples);
+            m_projector->jitter = {2.0 * x / m_view.width, 2.0 * y / m_view.height};
+            m_drawn.clear();
+            m_nextLook = m_view.leavesOutHidden ? trianglesBeforeLook() : never;
+            m_cut->setDrawn(m_view.leavesOutHidden ? &m_drawn : nullptr);
             m_cut->begin(*m_projector, m_surroundings, m_view.pixelTolerance, m_view.appearance.colours);
         }
         if (m_cut) {
-            const Surfaces::Pass pass{*m_projector, m_view.width, m_view.height, samplePlace(m_passes, m_view.samples),
-                                      static_cast<unsigned>(m_passes)};
+            const Surfaces::Pass pass{*m_projector, static_cast<unsigned>(m_passes)};
             if (const auto begun = m_surfaces.beginPass(pass, *m_surroundings, m_view.appearance); !begun) {
                 fail(begun.error());
                 return;
@@ -226,6 +238,7 @@ private:
             glFlush();
             return;
         }
+        lookIfDue();
         const Model &model = m_cut->model();
         const std::size_t faces = model.mesh->faces.size();
         const std::size_t copiesPerDraw = std::clamp<std::size_t>(mostFaces / (faces + 1), 1, CopyRing::chunkSize);
@@ -243,7 +256,28 @@ private:
             m_surfaces.draw(m_onCard, model, first, count, hasTints);
             m_ring.sent();
         }
+        m_sent += copies.size() * faces;
         glFlush();
+    }
+
+    [[nodiscard]] std::uint64_t trianglesBeforeLook() const
+    {
+        const auto pixels = static_cast<std::uint64_t>(m_view.width) * static_cast<std::uint64_t>(m_view.height);
+        return std::max(leastTriangles, pixels / pixelsToTriangle);
+    }
+
+    /// Now and then what is drawn tells what need not be: each time twice as much has been sent.
+    void lookIfDue()
+    {
+        if (m_sent < m_nextLook) {
+            return;
+        }
+        m_nextLook = std::max(2 * m_sent, m_sent + trianglesBeforeLook());
+        m_depths.resize(static_cast<std::size_t>(m_pass.width) * static_cast<std::size_t>(m_pass.height));
+        glBindFramebuffer(GL_FRAMEBUFFER, m_pass.framebuffer);
+        glPixelStorei(GL_PACK_ALIGNMENT, 4);
+        glReadPixels(0, 0, m_pass.width, m_pass.height, GL_DEPTH_COMPONENT, GL_FLOAT, m_depths.data());
+        m_drawn.build(m_depths, m_pass.width, m_pass.height);
     }
 
     void bindForDrawing() const
@@ -327,6 +361,11 @@ private:
     GpuScene m_onCard;
     Surfaces m_surfaces;
     std::size_t m_graphBytes = 0;
+    DepthPyramid m_drawn;
+    std::vector<float> m_depths;
+    /// Triangles of this pass, and how many there are before what is drawn is looked at.
+    std::uint64_t m_sent = 0;
+    std::uint64_t m_nextLook = 0;
     GLsync m_passFence = nullptr;
     Target m_pass;
     Target m_sum;

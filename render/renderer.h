@@ -29,6 +29,8 @@ struct View {
     /// Pictures with shifted pixels that are averaged; 1 is exactly the pixel centre.
     int samples = 1;
     Appearance appearance{};
+    /// Copies behind all that is drawn are not sent, which no pixel shows; otherwise all are, to measure what that is worth.
+    bool leavesOutHidden = true;
     /// sRGB, 0 to 1: a gradient from the top edge to the bottom edge.
     std::array<float, 3> backgroundTop{0.13f, 0.14f, 0.17f};
     std::array<float, 3> backgroundBottom{0.06f, 0.06f, 0.08f};

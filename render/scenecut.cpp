@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <map>
 #include <ranges>
 #include <utility>
+
+#include <glm/geometric.hpp>
 
 namespace romanesco {
 
@@ -47,6 +50,7 @@ void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundi
     m_isItemBegun = false;
     m_instances = 0;
     m_visited = 0;
+    std::ranges::sort(m_runs, {}, [&](const auto &run) { return nearestOf(run); });
     m_memory = m_bytes;
 }
 
@@ -67,6 +71,26 @@ const std::vector<Instance> &SceneCut::next(std::size_t count)
         finishItem();
     }
     return instances;
+}
+
+/// From the camera to the bound of the nearest of an item's nodes, in units of the view.
+double SceneCut::nearestOf(std::span<const Surroundings::Node> nodes) const
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Surroundings::Node &node : nodes) {
+        const AffineMap map = m_projector.cameraFrom(node.hereFromNode);
+        const FractalGraph &graph = m_scene.items[node.item].model->graph;
+        const Sphere bound = transformed(map, operatorNorm(map.linear), graph.bound(node.state.front()));
+        nearest = std::min(nearest, glm::length(bound.centre) - bound.radius);
+    }
+    return nearest;
+}
+
+void SceneCut::setDrawn(const DepthPyramid *drawn)
+{
+    for (Part &part : m_parts) {
+        part.cut.setDrawn(drawn);
+    }
 }
 
 void SceneCut::beginItem(Cut &cut)

@@ -24,6 +24,9 @@ public:
     void begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings, double pixelTolerance,
                const CopyColours &colours = {});
 
+    /// See Cut::setDrawn().
+    void setDrawn(const DepthPyramid *drawn);
+
     /// Nothing is left to be found.
     [[nodiscard]] bool isComplete() const { return m_runs.empty(); }
     /// The model whose copies come next, unless isComplete().
@@ -42,6 +45,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t item() const { return m_runs.front().front().item; }
+    [[nodiscard]] double nearestOf(std::span<const Surroundings::Node> nodes) const;
     void beginItem(Cut &cut);
     void finishItem();
     void dropSpent();

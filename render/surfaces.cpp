@@ -65,14 +65,27 @@ Material plainMaterial(const Mesh &mesh)
 
 std::expected<void, std::string> Surfaces::make()
 {
-    auto made = makeProgram({{GL_VERTEX_SHADER, shaders::instance_vert}, {GL_FRAGMENT_SHADER, shaders::instance_frag}});
-    if (!made) {
-        return std::unexpected(made.error());
-    }
-    m_plain = std::move(*made);
     m_pass = makeBuffer();
     glNamedBufferStorage(m_pass, sizeof(PassBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     m_lights = makeBuffer();
+    return use(false, false);
+}
+
+std::expected<void, std::string> Surfaces::use(bool hasWires, bool isDeep)
+{
+    m_program = (hasWires ? 1 : 0) + (isDeep ? 2 : 0);
+    GlProgram &program = m_programs[m_program];
+    if (program != 0) {
+        return {};
+    }
+    const ShaderStage vertex{GL_VERTEX_SHADER, shaders::instance_vert};
+    const ShaderStage geometry{GL_GEOMETRY_SHADER, shaders::instance_geom};
+    const ShaderStage fragment{GL_FRAGMENT_SHADER, shaders::instance_frag, isDeep ? "DEEP" : nullptr};
+    auto made = hasWires ? makeProgram({vertex, geometry, fragment}) : makeProgram({vertex, fragment});
+    if (!made) {
+        return std::unexpected(made.error());
+    }
+    program = std::move(*made);
     return {};
 }
 
@@ -80,20 +93,14 @@ std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Sur
                                                      const Appearance &appearance)
 {
     m_appearance = appearance;
-    if (appearance.hasWires && m_wired == 0) {
-        auto made = makeProgram({{GL_VERTEX_SHADER, shaders::instance_vert},
-                                 {GL_GEOMETRY_SHADER, shaders::instance_geom},
-                                 {GL_FRAGMENT_SHADER, shaders::instance_frag}});
-        if (!made) {
-            return std::unexpected(made.error());
-        }
-        m_wired = std::move(*made);
+    if (const auto used = use(appearance.hasWires, pass.projector.isDeep()); !used) {
+        return used;
     }
     const Projector &projector = pass.projector;
     const PassBlock block{
         .scale = {asFloat(projector.scaleX), asFloat(projector.scaleY)},
-        .jitter = {asFloat(2.0 * pass.sample[0] / pass.width), asFloat(2.0 * pass.sample[1] / pass.height)},
-        .halfSize = {asFloat(0.5 * pass.width), asFloat(0.5 * pass.height)},
+        .jitter = {asFloat(projector.jitter.x), asFloat(projector.jitter.y)},
+        .halfSize = {asFloat(0.5 * projector.width), asFloat(0.5 * projector.height)},
         .near = asFloat(projector.near),
         .range = asFloat(projector.range),
         .isPerspective = projector.projection == Projection::Perspective,
@@ -126,7 +133,7 @@ void Surfaces::setLights(const Projector &projector, const Surroundings &surroun
 void Surfaces::draw(const GpuScene &onCard, const Model &model, GLuint first, std::size_t count, bool hasTints) const
 {
     const GpuMesh &mesh = onCard.mesh(model);
-    glUseProgram(m_appearance.hasWires ? m_wired : m_plain);
+    glUseProgram(m_programs[m_program]);
     glBindBufferBase(GL_UNIFORM_BUFFER, passBinding, m_pass);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, lightsBinding, m_lights);
     glBindVertexArray(mesh.array);

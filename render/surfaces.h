@@ -23,13 +23,9 @@ public:
     /// One pass over a scene: what all its draws have in common.
     struct Pass {
         const Projector &projector;
-        int width = 0;
-        int height = 0;
-        /// From the pixel's centre, in pixels.
-        std::array<double, 2> sample{};
         unsigned number = 0;
     };
-    /// The error is the compiler's words: what draws wires is made when they are first wanted.
+    /// The error is the compiler's words: programs are made when they are first wanted.
     [[nodiscard]] std::expected<void, std::string> beginPass(const Pass &pass, const Surroundings &surroundings,
                                                              const Appearance &appearance);
 
@@ -40,8 +36,11 @@ private:
     void setLights(const Projector &projector, const Surroundings &surroundings);
     void setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t material) const;
 
-    GlProgram m_plain;
-    GlProgram m_wired;
+    [[nodiscard]] std::expected<void, std::string> use(bool hasWires, bool isDeep);
+
+    /// With wires or not, and for long ranges of depth or not; made when they are first wanted.
+    std::array<GlProgram, 4> m_programs;
+    std::size_t m_program = 0;
     GlBuffer m_pass;
     GlBuffer m_lights;
     Appearance m_appearance;

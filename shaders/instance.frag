@@ -41,6 +41,9 @@ layout(std430, binding = 0) readonly buffer Lights {
 };
 
 layout(location = 0) out vec4 result;
+#ifdef DEEP
+out float gl_FragDepth;
+#endif
 
 const vec3 sky = vec3(0.22, 0.26, 0.33);
 const vec3 ground = vec3(0.07, 0.055, 0.045);
@@ -108,5 +111,10 @@ void main()
     }
     light += emission;
     float edge = min(edgeDistance.x, min(edgeDistance.y, edgeDistance.z));
+#ifdef DEEP
+    // Orthographic, over many sizes: in logarithms, as fine near the camera's plane as far from it.
+    float way = log2(1.0 + abs(cameraPosition.z)) / log2(1.0 + range);
+    gl_FragDepth = 0.5 - 0.5 * sign(cameraPosition.z) * way;
+#endif
     result = vec4(mix(light, wire, 0.85 * (1.0 - smoothstep(0.4, 1.2, edge))), 1.0);
 }

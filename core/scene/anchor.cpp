@@ -32,6 +32,17 @@ bool holds(const Sphere &bound, const glm::dvec3 &point, double radius, double t
     return glm::distance(bound.centre, point) + radius <= times * bound.radius;
 }
 
+/// From the middle of what is nearby.
+double reachOf(const Surroundings &all, const Surroundings::Node &node)
+{
+    const Sphere &bound = all.scene->items[node.item].model->graph.bound(node.state.front());
+    if (bound.isEmpty()) {
+        return 0.0;
+    }
+    const Sphere here = transformed(node.hereFromNode, operatorNorm(node.hereFromNode.linear), bound);
+    return glm::distance(here.centre, all.nearby.centre) + here.radius;
+}
+
 }
 
 glm::dvec3 Surroundings::hereFromWorld(const glm::dvec3 &inWorld) const
@@ -265,6 +276,10 @@ std::shared_ptr<const Surroundings> Anchor::surroundings() const
     }
     if (m_levels.empty()) {
         addSiblings(0, size, origin, found);
+    }
+    found.reach = found.nearby.radius;
+    for (const Surroundings::Node &node : found.nodes) {
+        found.reach = std::max(found.reach, reachOf(found, node));
     }
     const auto itemOf = [](const Surroundings::Node &node) { return node.item; };
     std::ranges::stable_sort(found.nodes, {}, itemOf);

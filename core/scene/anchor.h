@@ -41,6 +41,8 @@ struct Surroundings {
     std::size_t pathItem = 0;
     /// Round that node, or the whole scene: the size of what is nearby.
     Sphere nearby;
+    /// From its middle, how far everything reaches.
+    double reach = 0.0;
     /// Where the place's origin stands in the world, as exactly as the world's coordinates can say, and the logarithm to
     /// base 2 of its unit.
     glm::dvec3 origin{0.0};

@@ -120,7 +120,7 @@ private Q_SLOTS:
                 continue;
             }
             const Camera camera = cameraOf({{1, 2, -9}, {0, 0, 0}, isOrthographic, view, {}});
-            const Projector projector(camera, test::around(*scene), 640, 480);
+            const Projector projector(camera, test::around(*scene), 0.0, 640, 480);
             for (const double number : {projector.scaleX, projector.scaleY, projector.pixels}) {
                 QVERIFY(std::isfinite(static_cast<float>(number)));
             }

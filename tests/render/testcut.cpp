@@ -49,7 +49,7 @@ const Model &modelOf(const std::shared_ptr<const Scene> &scene)
 std::vector<Instance> wholeCut(const Scene &scene, const Camera &camera, double tolerance)
 {
     Cut cut(*scene.items.at(0).model);
-    return wholeCut(cut, Projector(camera, test::around(scene), width, height), tolerance);
+    return wholeCut(cut, Projector(camera, test::around(scene), 0.0, width, height), tolerance);
 }
 
 /// Instances of a one-set fractal without `#`, by plain nested loops over world maps.
@@ -86,7 +86,8 @@ private Q_SLOTS:
         const auto use = [](const std::string &depth) {
             const auto scene = test::sceneOf(sierpinski(depth));
             Cut cut(modelOf(scene));
-            wholeCut(cut, Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), width, height),
+            wholeCut(cut,
+                     Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), 0.0, width, height),
                      1.0);
             return Use{cut.instanceCount(), cut.statesVisited(), cut.memoryUse()};
         };
@@ -123,7 +124,7 @@ private Q_SLOTS:
             camera.fieldOfView = 60.0 + 50.0 * unit(random);
             camera.viewHeight = 1.0 + 0.9 * unit(random);
             camera.projection = view % 2 ? Projection::Perspective : Projection::Orthographic;
-            const Projector projector(camera, test::around(*scene), width, height);
+            const Projector projector(camera, test::around(*scene), 0.0, width, height);
             const std::vector<Instance> cut = wholeCut(*scene, camera, 0.0);
             std::size_t inView = 0;
             for (const AffineMap &map : all) {
@@ -168,7 +169,7 @@ private Q_SLOTS:
         QFETCH(const double, tolerance);
         const auto scene = test::sceneOf(sierpinski("40"));
         const Camera camera = fittedCamera(*scene, double(width) / height);
-        const Projector projector(camera, test::around(*scene), width, height);
+        const Projector projector(camera, test::around(*scene), 0.0, width, height);
         const std::vector<Instance> cut = wholeCut(*scene, camera, tolerance);
         QVERIFY(!cut.empty());
         for (const Instance &instance : cut) {
@@ -187,7 +188,7 @@ private Q_SLOTS:
                           "y. [m.1] x\nz<y>. [t.2, t.3] y\n<$>. z 4\n");
         QVERIFY(scene);
         const Camera camera = fittedCamera(*scene, double(width) / height);
-        const Projector projector(camera, test::around(*scene), width, height);
+        const Projector projector(camera, test::around(*scene), 0.0, width, height);
         const std::vector<Instance> cut = wholeCut(*scene, camera, 1.0);
         QCOMPARE(cut.size(), std::size_t(16));
         for (const Instance &instance : cut) {
@@ -203,7 +204,8 @@ private Q_SLOTS:
             test::sceneOf("v 1 0 0\nv 0 1 0\nx. \"box.obj\"\nk.p. (p, #, #)\nz<x>. [k.1, k.2] x\n<$>. z 60000\n");
         QVERIFY(scene);
         Cut cut(modelOf(scene));
-        cut.begin(Projector(fittedCamera(*scene, 1.0), test::around(*scene), width, height), test::rootAt({}), 1.0);
+        cut.begin(Projector(fittedCamera(*scene, 1.0), test::around(*scene), 0.0, width, height), test::rootAt({}),
+                  1.0);
         for (int call = 0; call < 20; ++call) {
             const std::uint64_t before = cut.statesVisited();
             const std::vector<Instance> &some = cut.next(1'000);
@@ -219,7 +221,8 @@ private Q_SLOTS:
         const auto scene = test::sceneOf("v 1e-6 0 0\nx. \"box.obj\"\nk.p. (p, #, #)\nz<x>. [k.1] x\n<$>. z 1000000\n");
         QVERIFY(scene);
         Cut cut(modelOf(scene));
-        const Projector projector(fittedCamera(*scene, double(width) / height), test::around(*scene), width, height);
+        const Projector projector(fittedCamera(*scene, double(width) / height), test::around(*scene), 0.0, width,
+                                  height);
         const std::vector<Instance> drawn = wholeCut(cut, projector, 1.0);
         QCOMPARE(drawn.size(), std::size_t(1));
         QVERIFY(cut.memoryUse() < 64'000'000);
@@ -242,7 +245,7 @@ private Q_SLOTS:
         Scene scene = *large;
         scene.items.push_back(house->items[0]);
         scene.items.push_back(large->items[0]);
-        const Projector projector(fittedCamera(scene, double(width) / height), test::around(scene), width, height);
+        const Projector projector(fittedCamera(scene, double(width) / height), test::around(scene), 0.0, width, height);
         const auto shared = std::make_shared<const Scene>(std::move(scene));
         SceneCut cut(*shared);
         for (int picture = 0; picture < 2; ++picture) {

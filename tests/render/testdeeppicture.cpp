@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <cmath>
 #include <cstdlib>
+#include <random>
 
 #include <QFile>
 #include <QTest>
@@ -89,6 +90,10 @@ private Q_SLOTS:
     void anotherTextKeepsThePlace();
     void coloursAndSelectionsReachInside();
     void picturesOfOtherScenesAreNotMixedUp();
+    void whatIsLeftOutIsNotSeen_data();
+    void whatIsLeftOutIsNotSeen();
+    void denseScenesAreCheap();
+    void pyramidsHideWhatIsBehindAllPixels();
 };
 
 void TestDeepPicture::initTestCase()
@@ -222,10 +227,7 @@ void TestDeepPicture::coloursAndSelectionsReachInside()
     for (const Colouring colouring : {Colouring::Depth, Colouring::Branch, Colouring::Set, Colouring::Materials}) {
         View view = viewOf(inside);
         view.appearance.colours.colouring = colouring;
-        Address address;
-        for (std::size_t i = 0; i < 2; ++i) {
-            address.push_back({i, inside.surroundings()->path[i].map});
-        }
+        const Address address{{0, inside.surroundings()->path[0].map}};
         view.appearance.colours.selection = Selection{0, address};
         const Picture found = draw(scene, view);
         view.camera = outside.camera();
@@ -248,6 +250,101 @@ void TestDeepPicture::picturesOfOtherScenesAreNotMixedUp()
     View plain = ofFirst;
     plain.surroundings.reset();
     QVERIFY(draw(other, ofFirst).pixels == draw(other, plain).pixels);
+}
+
+void TestDeepPicture::whatIsLeftOutIsNotSeen_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QString>("depth");
+    QTest::addColumn<bool>("isPerspective");
+    for (const bool isPerspective : {true, false}) {
+        const char *projection = isPerspective ? "" : ", orthographic";
+        QTest::addRow("menger%s", projection) << "menger.fdo" << "4" << isPerspective;
+        QTest::addRow("tree%s", projection) << "tree.fdo" << "7" << isPerspective;
+        QTest::addRow("romanesco%s", projection) << "romanesco.fdo" << "2" << isPerspective;
+        QTest::addRow("terrain%s", projection) << "terrain.sdo" << "" << isPerspective;
+    }
+}
+
+void TestDeepPicture::whatIsLeftOutIsNotSeen()
+{
+    QFETCH(const QString, file);
+    QFETCH(const QString, depth);
+    QFETCH(const bool, isPerspective);
+    const auto scene = example(file.toStdString(), depth.toStdString());
+    SceneView from;
+    from.setScene(scene);
+    from.start(double(width) / height);
+    from.setProjection(isPerspective ? Projection::Perspective : Projection::Orthographic);
+    for (int i = 0; i < 3; ++i) {
+        View view = viewOf(from);
+        view.samples = 2;
+        const Picture without = draw(scene, view);
+        const std::uint64_t sent = m_renderer->statistics().instances;
+        view.leavesOutHidden = false;
+        const Picture all = draw(scene, view);
+        QVERIFY(sent <= m_renderer->statistics().instances);
+        std::size_t different = 0;
+        for (std::size_t j = 0; j < all.pixels.size(); ++j) {
+            different += all.pixels[j] != without.pixels[j] ? 1 : 0;
+        }
+        // Where surfaces coincide the first that is drawn is seen, and what is near is drawn first.
+        QVERIFY2(double(different) <= 2e-3 * double(all.pixels.size()), qPrintable(QString::number(different)));
+        from.zoom(0.3, {0.1, 0.1});
+    }
+}
+
+void TestDeepPicture::denseScenesAreCheap()
+{
+    const auto scene = example("menger.fdo", "4");
+    SceneView from;
+    from.setScene(scene);
+    from.start(double(width) / height);
+    View view = viewOf(from);
+    draw(scene, view);
+    const std::uint64_t sent = m_renderer->statistics().instances;
+    view.leavesOutHidden = false;
+    draw(scene, view);
+    const std::uint64_t all = m_renderer->statistics().instances;
+    QVERIFY2(3 * sent < 2 * all, qPrintable(QStringLiteral("%1 of %2").arg(sent).arg(all)));
+}
+
+/// Against a look at every pixel.
+void TestDeepPicture::pyramidsHideWhatIsBehindAllPixels()
+{
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> depth(0.2f, 0.9f);
+    const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    int hidden = 0;
+    int missed = 0;
+    for (const auto &[w, h] : {std::pair(1, 1), std::pair(7, 3), std::pair(64, 64), std::pair(133, 71)}) {
+        std::vector<float> depths;
+        for (int i = 0; i < w * h; ++i) {
+            // far away in the middle only
+            depths.push_back(depth(random) * (i % w > w / 3 && i % w < w / 2 ? 0.1f : 1.0f));
+        }
+        DepthPyramid pyramid;
+        QVERIFY(pyramid.isEmpty());
+        pyramid.build(depths, w, h);
+        for (int i = 0; i < 20'000; ++i) {
+            const int left = upTo(w + 10) - 5;
+            const int bottom = upTo(h + 10) - 5;
+            const int right = left + upTo(w);
+            const int top = bottom + upTo(h);
+            const double nearest = 0.3 * double(depth(random));
+            float farthest = 1.0f;
+            for (int y = std::clamp(bottom, 0, h - 1); y <= std::clamp(top, 0, h - 1); ++y) {
+                for (int x = std::clamp(left, 0, w - 1); x <= std::clamp(right, 0, w - 1); ++x) {
+                    farthest = std::min(farthest, depths[static_cast<std::size_t>(y * w + x)]);
+                }
+            }
+            const bool isHidden = pyramid.isHidden(left, bottom, right, top, nearest);
+            QVERIFY(!isHidden || nearest < double(farthest));
+            hidden += isHidden ? 1 : 0;
+            missed += !isHidden && nearest < double(farthest) ? 1 : 0;
+        }
+    }
+    QVERIFY2(hidden > 4 * missed, qPrintable(QStringLiteral("%1 hidden, %2 missed").arg(hidden).arg(missed)));
 }
 
 ROMANESCO_TEST(TestDeepPicture)

@@ -229,7 +229,7 @@ private Q_SLOTS:
         const auto model = test::modelOf(sierpinski);
         const auto cutOf = [](const std::shared_ptr<const Scene> &scene) {
             SceneCut cut(*scene);
-            cut.begin(Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), width, height),
+            cut.begin(Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), 0.0, width, height),
                       Anchor(scene).surroundings(), 0.0);
             std::uint64_t found = 0;
             while (!cut.isComplete()) {
