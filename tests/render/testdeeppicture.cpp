@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/file.h"
+#include "render/depthpyramid.h"
 #include "render/headless/eglcontext.h"
 #include "render/renderer.h"
 #include "render/sceneview.h"
@@ -227,7 +228,8 @@ void TestDeepPicture::coloursAndSelectionsReachInside()
     for (const Colouring colouring : {Colouring::Depth, Colouring::Branch, Colouring::Set, Colouring::Materials}) {
         View view = viewOf(inside);
         view.appearance.colours.colouring = colouring;
-        const Address address{{0, inside.surroundings()->path[0].map}};
+        const Pick first{0, inside.surroundings()->path[0].map};
+        const Address address = colouring == Colouring::Materials ? Address{} : Address{first};
         view.appearance.colours.selection = Selection{0, address};
         const Picture found = draw(scene, view);
         view.camera = outside.camera();
