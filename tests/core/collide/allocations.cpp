@@ -17,16 +17,25 @@ static_assert(header >= sizeof(std::size_t));
 
 }
 
-void *operator new(std::size_t size)
+/// The standard's calls the other one; a sanitizer's own would not.
+void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
     void *block = std::malloc(header + size);
     if (!block) {
-        throw std::bad_alloc();
+        return nullptr;
     }
     *static_cast<std::size_t *>(block) = size;
     ++count;
     bytes += size;
     return static_cast<char *>(block) + header;
+}
+
+void *operator new(std::size_t size)
+{
+    if (void *memory = operator new(size, std::nothrow)) {
+        return memory;
+    }
+    throw std::bad_alloc();
 }
 
 void operator delete(void *memory) noexcept
@@ -39,6 +48,11 @@ void operator delete(void *memory) noexcept
 }
 
 void operator delete(void *memory, std::size_t) noexcept
+{
+    operator delete(memory);
+}
+
+void operator delete(void *memory, const std::nothrow_t &) noexcept
 {
     operator delete(memory);
 }
