@@ -25,14 +25,39 @@ struct RandomFractal {
     FractalGraph graph;
 };
 
+inline glm::dvec3 randomPoint(std::mt19937_64 &random, double size)
+{
+    return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
 inline RandomFractal randomFractalWithMesh(std::mt19937_64 &random, double largest)
 {
     while (true) {
         naive::Fractal fractal = randomFractal(random, largest);
         if (naive::wordsAsWritten(fractal.levels()) <= 300) {
             Mesh mesh = randomMesh(random);
-            auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
-            return {std::move(fractal), std::move(mesh), std::move(*graph)};
+            FractalGraph graph = graphOf(fractal, mesh);
+            return {std::move(fractal), std::move(mesh), std::move(graph)};
+        }
+    }
+}
+
+/// Similarities only; mirrored now and then.
+inline RandomFractal randomSimilarFractalWithMesh(std::mt19937_64 &random, double largest)
+{
+    while (true) {
+        naive::Fractal fractal;
+        for (int i = 0; i < 4; ++i) {
+            const double size = uniform(random, 0.1, largest);
+            const glm::dvec3 turn(uniform(random, -180, 180), uniform(random, -180, 180), uniform(random, -180, 180));
+            fractal.maps.push_back(mapFromParts(randomPoint(random, 1.5), turn, {i == 2 ? -size : size, size, size}));
+        }
+        fractal.sets = naive::randomSets(random, 4);
+        fractal.items = naive::randomItems(random, fractal.sets.size(), 0, 3);
+        if (naive::wordsAsWritten(fractal.levels()) <= 300) {
+            Mesh mesh = randomMesh(random);
+            FractalGraph graph = graphOf(fractal, mesh);
+            return {std::move(fractal), std::move(mesh), std::move(graph)};
         }
     }
 }
@@ -92,11 +117,6 @@ inline naive::Picks picksOf(const Address &address, const naive::Fractal &fracta
         picks.push_back(levels.at(pick.position).maps.at(pick.map));
     }
     return picks;
-}
-
-inline glm::dvec3 randomPoint(std::mt19937_64 &random, double size)
-{
-    return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
 }

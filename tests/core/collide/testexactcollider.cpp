@@ -14,27 +14,6 @@ namespace romanesco::test {
 
 namespace {
 
-/// Similarities only; mirrored now and then.
-RandomFractal randomSimilarFractal(std::mt19937_64 &random, double largest)
-{
-    while (true) {
-        naive::Fractal fractal;
-        for (int i = 0; i < 4; ++i) {
-            const double size = uniform(random, 0.1, largest);
-            const glm::dvec3 scale(i == 2 ? -size : size, size, size);
-            const glm::dvec3 turn(uniform(random, -180, 180), uniform(random, -180, 180), uniform(random, -180, 180));
-            fractal.maps.push_back(mapFromParts(randomPoint(random, 1.5), turn, scale));
-        }
-        fractal.sets = naive::randomSets(random, 4);
-        fractal.items = naive::randomItems(random, fractal.sets.size(), 0, 3);
-        if (naive::wordsAsWritten(fractal.levels()) <= 300) {
-            Mesh mesh = randomMesh(random);
-            auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
-            return {std::move(fractal), std::move(mesh), std::move(*graph)};
-        }
-    }
-}
-
 /// Far, near, and on the surface.
 glm::dvec3 randomQuery(std::mt19937_64 &random, const RandomFractal &sample)
 {
@@ -104,7 +83,7 @@ void TestExactCollider::itFindsTheNearestOfAllFaces()
     std::mt19937_64 random(51);
     for (int round = 0; round < 60; ++round) {
         const RandomFractal sample =
-            isSimilar ? randomSimilarFractal(random, largest) : randomFractalWithMesh(random, largest);
+            isSimilar ? randomSimilarFractalWithMesh(random, largest) : randomFractalWithMesh(random, largest);
         const BoxBounds boxes(sample.graph, sample.mesh);
         const auto collider = ExactCollider::create(sample.graph, boxes, sample.mesh);
         QVERIFY(collider->usesLocalFrames() || !isSimilar);

@@ -77,28 +77,6 @@ void requireFace(const naive::Fractal &fractal, const Mesh &mesh, const naive::P
     }
 }
 
-RandomFractal randomSample(std::mt19937_64 &random, bool isSimilar, double largest)
-{
-    if (!isSimilar) {
-        return randomFractalWithMesh(random, largest);
-    }
-    while (true) {
-        naive::Fractal fractal;
-        for (int i = 0; i < 4; ++i) {
-            const double size = uniform(random, 0.1, largest);
-            const glm::dvec3 turn(uniform(random, -180, 180), uniform(random, -180, 180), uniform(random, -180, 180));
-            fractal.maps.push_back(mapFromParts(randomPoint(random, 1.5), turn, {i == 2 ? -size : size, size, size}));
-        }
-        fractal.sets = naive::randomSets(random, 4);
-        fractal.items = naive::randomItems(random, fractal.sets.size(), 0, 3);
-        if (naive::wordsAsWritten(fractal.levels()) <= 300) {
-            Mesh mesh = randomMesh(random);
-            FractalGraph graph = graphOf(fractal, mesh);
-            return {std::move(fractal), std::move(mesh), std::move(graph)};
-        }
-    }
-}
-
 }
 
 class TestSweep : public QObject
@@ -140,7 +118,8 @@ void TestSweep::theFirstTouchOfAllFacesIsFound()
     int touched = 0;
     int missed = 0;
     for (int round = 0; round < rounds; ++round) {
-        const RandomFractal sample = randomSample(random, isSimilar, largest);
+        const RandomFractal sample =
+            isSimilar ? randomSimilarFractalWithMesh(random, largest) : randomFractalWithMesh(random, largest);
         const BoxBounds boxes(sample.graph, sample.mesh);
         const Mesh all = writtenOut(sample.graph, sample.mesh, {}, 1'000'000).value();
         std::unique_ptr<Collider> collider;
