@@ -15,8 +15,6 @@ namespace romanesco {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Up to four points, seen from p, and the point of their hull that is nearest to p.
 class Simplex
 {
