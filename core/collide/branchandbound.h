@@ -123,6 +123,17 @@ private:
         return distance + std::max(error, m_bestFrame.error) < m_best * m_nearer;
     }
 
+    /// What a branch or a mesh has to be within, in the model's unit. What is off by rounding may be that of a query before,
+    /// which has become the radius.
+    [[nodiscard]] double limitFor(const Frame &frame) const
+    {
+        return m_found == Found::Nothing ? m_best + 2.0 * frame.error : m_best;
+    }
+    [[nodiscard]] bool isWithin(double distance, double limit) const
+    {
+        return m_found == Found::Nothing ? distance <= limit : distance < limit;
+    }
+
     void drop(double distance, double error) { m_lower = std::min(m_lower, distance - error); }
 
     /// The nearest child of the node that was entered last; back where none is near enough.
@@ -202,7 +213,7 @@ private:
     {
         ++m_cost.nodeVisits;
         drop(least, frame.error);
-        if (m_found == Found::Nothing ? greatest <= m_best : greatest < m_best) {
+        if (isWithin(greatest, limitFor(frame))) {
             m_best = greatest;
             m_found = Found::Branch;
             m_bestFrame = frame;
@@ -273,11 +284,12 @@ private:
     {
         ++m_cost.nodeVisits;
         LeafHit found;
-        m_frames.measure(frame, m_best / frame.unit, found);
+        const double limit = limitFor(frame);
+        m_frames.measure(frame, limit / frame.unit, found);
         m_cost.faceTests += found.faceTests;
         drop(found.lower * frame.unit, frame.error);
         const double distance = found.distance * frame.unit;
-        if (found.face != Mesh::none && (distance < m_best || (m_found == Found::Nothing && distance <= m_best))) {
+        if (found.face != Mesh::none && isWithin(distance, limit)) {
             m_best = distance;
             m_found = Found::Face;
             m_bestFrame = frame;
@@ -316,6 +328,9 @@ private:
         const double rounded = 1.0 - 64.0 * epsilon * static_cast<double>(m_deepest + 1);
         assert((m_found != Found::Face || m_lower * rounded <= hit.distance + 2.0 * m_bestFrame.error)
                && "nothing is nearer than what is proved");
+        if (hit.isFound()) {
+            hit.distance = std::min(hit.distance, query.radius); // farther by rounding alone
+        }
         hit.lower = std::clamp(m_lower * rounded, 0.0, std::min(hit.distance, query.radius));
         promise(hit);
     }

@@ -49,7 +49,7 @@ struct SurfacePoint {
 
 /// The nearest point of a surface that was found.
 struct Hit : SurfacePoint {
-    /// Infinite where nothing was found within the radius; then only promise, lower and cost mean anything.
+    /// At most the radius; infinite where nothing was found within it. Then only promise, lower and cost mean anything.
     double distance = std::numeric_limits<double>::infinity();
     /// Of Promise::Within.
     double excess = 0.0;
@@ -76,8 +76,9 @@ struct Touch : SurfacePoint {
 struct Query {
     /// Finite, and at most 1e150 along each axis.
     glm::dvec3 p{0.0};
-    /// Only points at most so far from p count. What was nearest a moment ago is no farther than its distance then and the
-    /// way that p has gone since: with that as the radius a search is sooner done.
+    /// Only points at most so far from p count, but for rounding: a distance that was found is enough to find it again. What
+    /// was nearest a moment ago is no farther than its distance then and the way that p has gone since: with that as the
+    /// radius a search is sooner done.
     double radius = std::numeric_limits<double>::infinity();
     /// The search ends early once so many nodes were visited, and promises less then. Of the colliders of fractals that
     /// promise anything; a count, so that answers do not depend on the machine.

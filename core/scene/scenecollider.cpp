@@ -347,12 +347,11 @@ void SceneSearch::searchModel(Search &search, const Similarity &worldFromModel, 
     inModel.radius = (query.radius + error) / scale * (1.0 + 4.0 * epsilon);
     search.closest(inModel, m_ofItem);
     m_ofItem.lower = std::max(m_ofItem.lower * scale * (1.0 - 4.0 * epsilon) - error, 0.0);
-    m_ofItem.distance *= scale;
+    if (m_ofItem.isFound()) {
+        m_ofItem.distance = std::min(m_ofItem.distance * scale, query.radius); // farther by rounding alone
+    }
     m_ofItem.point = map(m_ofItem.point);
     m_ofItem.direction = glm::normalize(map.linear * m_ofItem.direction / scale);
-    if (m_ofItem.distance > query.radius) {
-        m_ofItem.distance = infinity; // it was let in by rounding
-    }
 }
 
 /// The better of what was found, and what is proved of both.

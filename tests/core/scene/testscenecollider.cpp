@@ -59,6 +59,8 @@ private Q_SLOTS:
     void itFindsWhatTheModelsColliderFinds();
     void nothingBeyondTheRadiusCounts_data();
     void nothingBeyondTheRadiusCounts();
+    void whatWasFoundIsFoundAgainWithin_data();
+    void whatWasFoundIsFoundAgainWithin();
     void aBudgetIsForAllItems();
     void itemsBehindOthersAreNotSearched();
     void theItemIsTold();
@@ -214,6 +216,41 @@ void TestSceneCollider::nothingBeyondTheRadiusCounts()
             QVERIFY(hit.isFound() && std::abs(hit.distance - least) <= 1e-9 * least);
             search->closest({p, least / 3}, hit);
             QVERIFY(!hit.isFound() && std::abs(hit.lower - least / 3) <= 1e-12 * least);
+        }
+    }
+}
+
+void TestSceneCollider::whatWasFoundIsFoundAgainWithin_data()
+{
+    itFindsTheNearestOfAllItems_data();
+}
+
+/// To the last digit.
+void TestSceneCollider::whatWasFoundIsFoundAgainWithin()
+{
+    QFETCH(const Kind, kind);
+    std::mt19937_64 random(76);
+    for (int round = 0; round < 30; ++round) {
+        const SceneCollider collider = colliderOf(sceneOf(randomScene(random).items), kind);
+        const auto search = collider.search();
+        for (int i = 0; i < 20; ++i) {
+            const glm::dvec3 p = randomPoint(random, i % 4 == 0 ? 1000 : 8);
+            Hit hit;
+            search->closest({p}, hit);
+            if (!hit.isFound()) {
+                continue;
+            }
+            Hit again;
+            search->closest({p, hit.distance}, again);
+            const double rounding = 1e-12 * (glm::length(p) + 40);
+            const bool isAgain = again.distance <= hit.distance
+                && (hit.promise != Promise::Exact || again.distance >= hit.distance - rounding);
+            QVERIFY2(isAgain,
+                     qPrintable(QStringLiteral("round %1, %2: %3, then %4")
+                                    .arg(round)
+                                    .arg(i)
+                                    .arg(hit.distance, 0, 'g', 17)
+                                    .arg(again.distance, 0, 'g', 17)));
         }
     }
 }
