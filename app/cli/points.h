@@ -11,19 +11,11 @@
 #include <QString>
 #include <glm/vec3.hpp>
 
+#include "core/formats/pointline.h"
+
 namespace romanesco::cli {
 
-/// What is wrong in a line: where, in code points from 1, and a sentence.
-struct PointSlip {
-    std::size_t column = 1;
-    std::string words;
-};
-
-/// `x y z`, in plain decimal numbers no larger than SceneCollider::farthest with blanks between and around; nothing for a
-/// line of blanks.
-[[nodiscard]] std::expected<std::optional<glm::dvec3>, PointSlip> pointOf(std::string_view line);
-
-/// Reads a file of points as it goes: some 70 KB are held, however long it is. Ctrl-C ends it, after catchCancel(), also
+/// Reads a file of points, a line each (pointOf()), as it goes: some 70 KB are held, however long it is. Ctrl-C ends it, after catchCancel(), also
 /// while it waits for a pipe.
 class PointReader
 {
