@@ -7,6 +7,9 @@
 #include <random>
 #include <vector>
 
+#include <QTest>
+
+#include "core/collide/colliderkind.h"
 #include "core/fractal/extent.h"
 #include "core/scene/scene.h"
 #include "tests/core/collide/bruteforce.h"
@@ -39,6 +42,29 @@ inline std::shared_ptr<const Scene> sceneOf(std::vector<SceneItem> items)
     Scene scene;
     scene.items = std::move(items);
     return std::make_shared<const Scene>(std::move(scene));
+}
+
+/// Six of them among each other, at angles of their own.
+inline std::vector<SceneItem> heapOf(const std::shared_ptr<const Model> &model, std::mt19937_64 &random)
+{
+    std::vector<SceneItem> items;
+    for (int i = 0; i < 6; ++i) {
+        items.push_back(
+            {.model = model, .worldFromModel = mapFromParts(randomPoint(random, 4), {10.0 * i, 50, 0}, {1, 1, 1})});
+    }
+    return items;
+}
+
+/// A row for each kind of collider.
+inline void addKinds()
+{
+    QTest::addColumn<ColliderKind>("kind");
+    QTest::newRow("exact") << ColliderKind::Exact;
+    QTest::newRow("approximate") << ColliderKind::Approximate;
+    QTest::newRow("bvh") << ColliderKind::Bvh;
+    QTest::newRow("simple") << ColliderKind::Simple;
+    QTest::newRow("greedy") << ColliderKind::Greedy;
+    QTest::newRow("octree") << ColliderKind::Octree;
 }
 
 /// Moved only, or a similarity, a mirror, sheared, of unequal scales, flat, a line, a point, or where it was.

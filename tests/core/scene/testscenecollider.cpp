@@ -77,13 +77,7 @@ private Q_SLOTS:
 
 void TestSceneCollider::itFindsTheNearestOfAllItems_data()
 {
-    QTest::addColumn<Kind>("kind");
-    QTest::newRow("exact") << Kind::Exact;
-    QTest::newRow("approximate") << Kind::Approximate;
-    QTest::newRow("bvh") << Kind::Bvh;
-    QTest::newRow("simple") << Kind::Simple;
-    QTest::newRow("greedy") << Kind::Greedy;
-    QTest::newRow("octree") << Kind::Octree;
+    addKinds();
 }
 
 void TestSceneCollider::itFindsTheNearestOfAllItems()
@@ -222,7 +216,7 @@ void TestSceneCollider::nothingBeyondTheRadiusCounts()
 
 void TestSceneCollider::whatWasFoundIsFoundAgainWithin_data()
 {
-    itFindsTheNearestOfAllItems_data();
+    addKinds();
 }
 
 /// To the last digit.
@@ -259,12 +253,7 @@ void TestSceneCollider::aBudgetIsForAllItems()
 {
     std::mt19937_64 random(74);
     const auto model = modelOf(QStringLiteral("appendix-b"), 5);
-    std::vector<SceneItem> items;
-    for (int i = 0; i < 6; ++i) {
-        items.push_back(
-            {.model = model, .worldFromModel = mapFromParts(randomPoint(random, 4), {10.0 * i, 50, 0}, {1, 1, 1})});
-    }
-    const SceneCollider collider = colliderOf(sceneOf(items), Kind::Exact);
+    const SceneCollider collider = colliderOf(sceneOf(heapOf(model, random)), Kind::Exact);
     const auto search = collider.search();
     int bounded = 0;
     int spent = 0;
@@ -373,7 +362,7 @@ void TestSceneCollider::modelsShareTheirColliders()
 
 void TestSceneCollider::ballsAndNothingHaveNoSurface_data()
 {
-    itFindsTheNearestOfAllItems_data();
+    addKinds();
 }
 
 void TestSceneCollider::ballsAndNothingHaveNoSurface()
@@ -430,7 +419,7 @@ void TestSceneCollider::whatIsTooMuchIsRefused()
 
 void TestSceneCollider::stoppingIsHeard_data()
 {
-    itFindsTheNearestOfAllItems_data();
+    addKinds();
 }
 
 void TestSceneCollider::stoppingIsHeard()

@@ -76,13 +76,7 @@ private Q_SLOTS:
 
 void TestSceneSweep::theFirstTouchOfAllItemsIsFound_data()
 {
-    QTest::addColumn<Kind>("kind");
-    QTest::newRow("exact") << Kind::Exact;
-    QTest::newRow("approximate") << Kind::Approximate;
-    QTest::newRow("bvh") << Kind::Bvh;
-    QTest::newRow("simple") << Kind::Simple;
-    QTest::newRow("greedy") << Kind::Greedy;
-    QTest::newRow("octree") << Kind::Octree;
+    addKinds();
 }
 
 void TestSceneSweep::theFirstTouchOfAllItemsIsFound()
@@ -215,12 +209,7 @@ void TestSceneSweep::aBudgetIsForAllItems()
 {
     std::mt19937_64 random(82);
     const auto model = modelOf(QStringLiteral("appendix-b"), 5);
-    std::vector<SceneItem> items;
-    for (int i = 0; i < 6; ++i) {
-        items.push_back(
-            {.model = model, .worldFromModel = mapFromParts(randomPoint(random, 4), {10.0 * i, 50, 0}, {1, 1, 1})});
-    }
-    const SceneCollider collider = SceneCollider::create(sceneOf(items), {Kind::Exact}).value();
+    const SceneCollider collider = SceneCollider::create(sceneOf(heapOf(model, random)), {Kind::Exact}).value();
     const auto search = collider.search();
     int spent = 0;
     for (int i = 0; i < 100; ++i) {
