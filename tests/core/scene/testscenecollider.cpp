@@ -319,7 +319,7 @@ void TestSceneCollider::theItemIsTold()
 void TestSceneCollider::placesOfEverySizeAreSearched()
 {
     const auto model = modelOf(QStringLiteral("menger"), 3);
-    const double third = 0.3333333333;
+    const double third = 1.0 / 3;
     const double top = 1 + third * (1 + third * (1 + third * 1.5));
     for (const Kind kind : {Kind::Exact, Kind::Bvh, Kind::Simple}) {
         for (const double size : {1e-100, 1e-30, 1e-9, 1e9, 1e30, 1e100}) {
