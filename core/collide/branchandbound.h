@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "descent.h"
 #include "equalproducts.h"
 #include "lanes.h"
+#include "metcopies.h"
 #include "nearest.h"
 
 namespace romanesco {
@@ -25,7 +27,9 @@ namespace romanesco {
 /// what was found (Land and Doig 1960). Frames say how: LocalFrames or RelativeFrames.
 ///
 /// A branch that is too small for p to tell its points apart, or for the excess to matter, is not gone down further: the
-/// middle of its box is found then, without a face. Every distance that is dropped is kept in mind, as the bound below which nothing is.
+/// middle of its box is found then, without a face. Every distance that is dropped is kept in mind, as the bound below
+/// which nothing is. Of copies that coincide one is gone down into: as EqualProducts has it, which costs nothing, and
+/// after some visits as MetCopies has it, which misses few.
 template<typename Frames>
 class BranchAndBound final
 {
@@ -38,6 +42,8 @@ public:
         , m_frames(std::move(frames))
         , m_excess(excess)
         , m_nearer((1.0 - 4.0 * epsilon) / (1.0 + excess))
+        , m_visitsBeforeMet(products.isEmpty() ? visitsBeforeMetElsewhere : visitsBeforeMet)
+        , m_met(products)
     {
     }
 
@@ -64,6 +70,9 @@ private:
     /// Most searches end before fine hulls pay, unless they go deep.
     static constexpr std::size_t levelsBeforeFine = 8;
     static constexpr std::uint64_t visitsBeforeFine = 32;
+    /// Keeping what was met costs a little, and saves nothing before some comes again: where copies coincide, soon.
+    static constexpr std::uint64_t visitsBeforeMet = 12;
+    static constexpr std::uint64_t visitsBeforeMetElsewhere = 256;
     /// Deeper units would not be numbers.
     static constexpr double leastUnit = 1e-290;
 
@@ -103,6 +112,8 @@ private:
         m_path.clear();
         m_distances.clear();
         m_tightness.clear();
+        m_met.begin();
+        m_apart = 0.0;
         m_cost = {};
         m_found = Found::Nothing;
         m_best = query.radius;
@@ -192,10 +203,19 @@ private:
             settle(step, frame, bounds.box, distance, distance);
         } else if (size <= m_excess * distance && distance + size < m_best && !m_isMoving) {
             settle(step, frame, bounds.box, distance, distance + size);
-        } else {
+        } else if (m_cost.nodeVisits < m_visitsBeforeMet || !wasMet(step, frame, bounds.box, size)) {
             m_path.push_back(step);
             visit(step.state, below.isMesh, frame);
         }
+    }
+
+    /// What was met is done with: nothing of it is nearer than what is kept in mind, and nothing here but by what the two
+    /// are apart.
+    bool wasMet(const DescentStep &step, const Frame &frame, const Box &box, double size)
+    {
+        const std::optional<double> apart = m_met.findOrKeep(step, frame, box, size);
+        m_apart += apart.value_or(0.0);
+        return apart.has_value();
     }
 
     void visit(StateId state, bool isMesh, const Frame &frame)
@@ -331,7 +351,7 @@ private:
         if (hit.isFound()) {
             hit.distance = std::min(hit.distance, query.radius); // farther by rounding alone
         }
-        hit.lower = std::clamp(m_lower * rounded, 0.0, std::min(hit.distance, query.radius));
+        hit.lower = std::clamp(m_lower * rounded - m_apart, 0.0, std::min(hit.distance, query.radius));
         promise(hit);
     }
 
@@ -362,6 +382,8 @@ private:
     std::vector<DescentStep> m_path;
     std::vector<double> m_distances;
     std::vector<Tightness> m_tightness;
+    const std::uint64_t m_visitsBeforeMet;
+    MetCopies<Frames> m_met;
     std::size_t m_deepest = 0;
     bool m_isMoving = false;
     bool m_isCutShort = false;
@@ -376,6 +398,8 @@ private:
     std::vector<DescentStep> m_bestPath;
 
     double m_lower = infinity;
+    /// How much nearer than that what was met before may be.
+    double m_apart = 0.0;
     SearchCost m_cost;
 };
 

@@ -96,8 +96,6 @@ EqualProducts::EqualProducts(const FractalGraph &graph)
 
 std::vector<EqualProducts::Product> EqualProducts::productsOf(const FractalGraph &graph, SetId first, SetId second)
 {
-    // along this no two maps of a text are likely to be alike
-    const glm::dvec3 along{0.618, 0.285, 0.733};
     std::vector<Product> products;
     const auto &outer = graph.set(first).maps;
     const auto &inner = graph.set(second).maps;
@@ -105,7 +103,7 @@ std::vector<EqualProducts::Product> EqualProducts::productsOf(const FractalGraph
         for (std::uint32_t j = 0; j < inner.size(); ++j) {
             const AffineMap map = outer[i] * inner[j];
             const double norm = graph.facts(first)[i].norm;
-            products.push_back({i, j, map, glm::dot(along, map.translation),
+            products.push_back({i, j, map, placeOf(map.translation),
                                 glm::length(outer[i].translation) + norm * glm::length(inner[j].translation),
                                 norm * graph.facts(second)[j].norm});
         }
@@ -163,6 +161,13 @@ void EqualProducts::leaveOut(std::span<const DescentStep> path, std::span<const 
             numbers[child - children.begin()] = std::numeric_limits<double>::infinity();
         }
     }
+}
+
+bool EqualProducts::leavesOutNoMore(const DescentStep &after, const DescentStep &thanAfter) const
+{
+    const std::span<const Pick> others = leftOutAfter(thanAfter.set, thanAfter.map);
+    return std::ranges::all_of(leftOutAfter(after.set, after.map),
+                               [&](const Pick &pick) { return std::ranges::contains(others, pick); });
 }
 
 std::size_t EqualProducts::memoryUse() const

@@ -25,16 +25,24 @@ public:
     struct Pick {
         SetId set = 0;
         std::uint32_t map = 0;
+
+        bool operator==(const Pick &) const = default;
     };
 
     /// Cost: up to a microsecond a pair.
     explicit EqualProducts(const FractalGraph &graph);
+
+    /// Whether nothing is left out.
+    [[nodiscard]] bool isEmpty() const { return m_isEmpty; }
 
     /// What need not follow a pick.
     [[nodiscard]] std::span<const Pick> leftOutAfter(SetId set, std::uint32_t map) const
     {
         return m_isEmpty ? std::span<const Pick>{} : m_leftOut[set][map];
     }
+
+    /// Whether all that need not follow one step need not follow another either.
+    [[nodiscard]] bool leavesOutNoMore(const DescentStep &after, const DescentStep &thanAfter) const;
 
     /// How far from a copy that is left out the one is at most that is met instead, in parts of the numbers that it is
     /// placed by: a word is exchanged several times on its way, less and less of it each time.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 
 #include <glm/common.hpp>
@@ -135,6 +136,15 @@ bool LocalFrames::isBehind(const Frame &frame, const Box &box) const
     const glm::dvec3 &motion = *frame.motion;
     const glm::dvec3 ahead = glm::max((box.least - frame.p) * motion, (box.greatest - frame.p) * motion);
     return ahead.x + ahead.y + ahead.z < -2.0 * frame.error / frame.unit * glm::length(motion);
+}
+
+double LocalFrames::apart(const Frame &one, const Frame &other, const Box &box)
+{
+    if (one.motion != other.motion) {
+        return std::numeric_limits<double>::infinity();
+    }
+    const double farthest = sumOfSizes(one.p) + sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
+    return glm::distance(one.p, other.p) * other.unit + farthest * std::abs(one.unit - other.unit);
 }
 
 double LocalFrames::sizeOf(const Frame &, const BoundedStates::Bounds &bounds) const

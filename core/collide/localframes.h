@@ -80,6 +80,11 @@ public:
     {
         return frame.unit * children.reach;
     }
+    /// How far, in the model's unit, what is in a box is from itself in another frame at most, seen from p; infinite where
+    /// p moves another way there.
+    [[nodiscard]] static double apart(const Frame &one, const Frame &other, const Box &box);
+    /// A number, in the model's unit, by which frames differ that are not alike.
+    [[nodiscard]] static double placeOf(const Frame &frame) { return frame.unit * romanesco::placeOf(frame.p); }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 

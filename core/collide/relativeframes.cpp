@@ -9,6 +9,7 @@
 #include <ranges>
 #include <utility>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -143,6 +144,16 @@ bool RelativeFrames::isBehind(const Frame &frame, const Box &box) const
         ahead += std::abs(glm::dot(edge, *m_motion));
     }
     return ahead < -2.0 * frame.error * glm::length(*m_motion);
+}
+
+double RelativeFrames::apart(const Frame &one, const Frame &other, const Box &box)
+{
+    const glm::dvec3 farthest = glm::max(glm::abs(box.least), glm::abs(box.greatest));
+    double apart = glm::distance(one.map.translation, other.map.translation);
+    for (int axis = 0; axis < 3; ++axis) {
+        apart += glm::distance(one.map.linear[axis], other.map.linear[axis]) * farthest[axis];
+    }
+    return apart;
 }
 
 double RelativeFrames::sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const

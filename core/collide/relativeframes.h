@@ -72,6 +72,10 @@ public:
     {
         return frame.norm * (children.farthest + children.reach);
     }
+    /// How far, in the model's unit, what is in a box is from itself in another frame at most, seen from p.
+    [[nodiscard]] static double apart(const Frame &one, const Frame &other, const Box &box);
+    /// A number, in the model's unit, by which frames differ that are not alike.
+    [[nodiscard]] static double placeOf(const Frame &frame) { return romanesco::placeOf(frame.map.translation); }
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 
