@@ -26,12 +26,6 @@ constexpr double leastTolerance = 1e-6;
 constexpr double leastFieldOfView = 1e-6;
 constexpr double leastViewHeight = 1e-9;
 
-/// An upper bound of the operator norm at the price of nine products.
-double frobeniusNorm(const glm::dmat3 &matrix)
-{
-    return std::sqrt(glm::dot(matrix[0], matrix[0]) + glm::dot(matrix[1], matrix[1]) + glm::dot(matrix[2], matrix[2]));
-}
-
 }
 
 Projector::Projector(const Camera &camera, const Sphere &nearby, double reach, int viewWidth, int viewHeight)
@@ -221,20 +215,11 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
     m_open.push_back({range.next, planes, composed, norm, marks, distanceTo(seen)});
 }
 
-/// Of the base mesh, moved to the unit sphere. Where it stands for more than itself (isWhole is false) and lies outside
-/// the bound of all that, it is fitted into that bound: a last level may move or shrink it far.
+/// Of the base mesh, moved to the unit sphere; isWhole is false where it stands for more than itself.
 void Cut::place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole)
 {
     const Sphere &base = m_model.graph.base();
-    glm::dvec3 centre = base.centre;
-    double radius = base.radius;
-    if (!isWhole) {
-        const Sphere &bound = m_table.state(state).bound;
-        if (glm::distance(bound.centre, centre) + radius > 1.1 * bound.radius) {
-            centre = bound.centre;
-            radius = bound.radius;
-        }
-    }
+    const auto &[centre, radius] = isWhole ? base : standIn(base, m_table.state(state).bound);
     const glm::dvec3 translation = map(centre);
     Instance &instance = m_ready.emplace_back();
     for (int row = 0; row < 3; ++row) {

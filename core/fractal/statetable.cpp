@@ -6,7 +6,14 @@
 #include <cassert>
 #include <unordered_map>
 
+#include <glm/geometric.hpp>
+
 namespace romanesco {
+
+const Sphere &standIn(const Sphere &base, const Sphere &bound)
+{
+    return glm::distance(bound.centre, base.centre) + base.radius > 1.1 * bound.radius ? bound : base;
+}
 
 void placePicks(const FractalGraph &graph, std::span<const Positions> reached, std::span<Pick> picks)
 {

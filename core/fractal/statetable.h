@@ -27,6 +27,11 @@ struct State {
     Sphere bound;
 };
 
+/// Where a base mesh, in its own sphere, stands for all that is in a bound, which is too small to tell more: at its place,
+/// or fitted into the bound where it reaches far out of it, as a last level may move or shrink it far. A tenth of the
+/// bound's radius beyond it at most.
+[[nodiscard]] const Sphere &standIn(const Sphere &base, const Sphere &bound);
+
 /// Children of a state that share a set and a following state: maps [firstMap, endMap) of a set.
 struct ChildRange {
     SetId set;

@@ -153,6 +153,11 @@ double operatorNorm(const glm::dmat3 &matrix)
     return scale * std::sqrt(squared) * (1.0 + 1e-14);
 }
 
+double frobeniusNorm(const glm::dmat3 &matrix)
+{
+    return std::sqrt(glm::dot(matrix[0], matrix[0]) + glm::dot(matrix[1], matrix[1]) + glm::dot(matrix[2], matrix[2]));
+}
+
 bool isSimilarity(const glm::dmat3 &matrix)
 {
     const double scale = largestEntry(matrix);

@@ -37,6 +37,10 @@ struct AffineMapHash {
 /// The operator norm (largest singular value), never below the true value and at most 1e-12 of it above.
 [[nodiscard]] double operatorNorm(const glm::dmat3 &matrix);
 
+/// The root of the sum of squares: at least the operator norm but for rounding, at the price of nine products. Not for
+/// numbers whose squares are none.
+[[nodiscard]] double frobeniusNorm(const glm::dmat3 &matrix);
+
 /// Whether the matrix is a uniform scale times a rotation or reflection, within 1e-12 of its norm.
 [[nodiscard]] bool isSimilarity(const glm::dmat3 &matrix);
 
