@@ -141,7 +141,8 @@ RayWalk::Frame RayWalk::rootFrame(const RayRoot &root, const glm::dvec3 &origin)
     frame.map = {root.rayFromState.linear, root.rayFromState.translation - origin};
     frame.norm = operatorNorm(frame.map.linear);
     frame.state = m_table.find(root.positions);
-    const Sphere &bound = m_table.state(frame.state).bound;
+    frame.isMeshOnly = root.isMeshOnly;
+    const Sphere &bound = boundOf(frame);
     frame.magnitude = sumOfSizes(frame.map.translation) + frame.norm * (sumOfSizes(bound.centre) + bound.radius);
     return frame;
 }
@@ -153,9 +154,14 @@ void RayWalk::openRoot(std::uint32_t number)
     frame.map.translation /= m_unit;
     frame.norm /= m_unit;
     frame.magnitude /= m_unit;
-    const Sphere &bound = m_table.state(frame.state).bound;
+    const Sphere &bound = boundOf(frame);
     open({.frame = number, .magnitude = frame.magnitude, .state = frame.state, .isRoot = true},
          {frame.map(bound.centre), frame.norm * bound.radius}, errorOf(frame));
+}
+
+const Sphere &RayWalk::boundOf(const Frame &frame) const
+{
+    return frame.isMeshOnly ? m_graph.base() : m_table.state(frame.state).bound;
 }
 
 double RayWalk::errorOf(const Frame &frame)
@@ -226,7 +232,11 @@ void RayWalk::visit(const Open &open)
     ++m_cost.nodeVisits;
     const std::uint32_t number = frameOf(open);
     const Frame frame = m_frames[number];
-    const Sphere &bound = m_table.state(frame.state).bound;
+    if (frame.isMeshOnly) {
+        measure(number, frame.map, false);
+        return;
+    }
+    const Sphere &bound = boundOf(frame);
     if (open.isSmall) {
         const Sphere &base = m_graph.base();
         const Sphere &fitted = standIn(base, bound);

@@ -53,6 +53,8 @@ struct RayRoot {
     Positions positions{0};
     /// From the state's frame to the ray's: mirrored, sheared, flat.
     AffineMap rayFromState = {};
+    /// Only the base mesh in the state's frame, and nothing below it.
+    bool isMeshOnly = false;
 };
 
 /// What a ray meets first. `point` is in the ray's coordinates; `direction` is the face's normal, against the ray; `address`
@@ -119,6 +121,7 @@ private:
         std::uint32_t parent = none;
         RayHit::Choice choice = {};
         StateId state = 0;
+        bool isMeshOnly = false;
     };
     /// A child of a frame, or a root's own frame, that the ray may meet at a way and not before.
     struct Open {
@@ -143,6 +146,7 @@ private:
     void begin(const Ray &ray, std::span<const RayRoot> roots);
     [[nodiscard]] Frame rootFrame(const RayRoot &root, const glm::dvec3 &origin);
     void openRoot(std::uint32_t number);
+    [[nodiscard]] const Sphere &boundOf(const Frame &frame) const;
     [[nodiscard]] static double errorOf(const Frame &frame);
     [[nodiscard]] double smallAt(double way, double magnitude) const;
     [[nodiscard]] double greatestSmall(const Sphere &bound, double magnitude) const;

@@ -73,7 +73,8 @@ double sizeOf(const RandomFractal &sample, const std::vector<RayRoot> &roots)
 {
     const Sphere &bound = sample.graph.bound(0);
     double size = 0.0;
-    for (const auto &[positions, map] : roots) {
+    for (const RayRoot &root : roots) {
+        const AffineMap &map = root.rayFromState;
         const double reach = operatorNorm(map.linear) * (bound.radius + glm::length(bound.centre));
         size = std::max(size, reach + glm::length(map.translation));
     }
