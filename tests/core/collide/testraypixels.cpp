@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 #include <QTest>
@@ -340,6 +341,8 @@ void TestRayPixels::rootsBelowARootAreTheSame()
             roots.push_back({table.state(one.state).positions, one.map});
             addresses.push_back(one.address);
         }
+        std::vector<RayRoot> meshes;
+        std::ranges::copy_if(roots, std::back_inserter(meshes), &RayRoot::isMeshOnly);
         Walker walker(fractal.graph, fractal.mesh);
         const View view(fractal.graph.bound(0));
         int metCount = 0;
@@ -347,6 +350,8 @@ void TestRayPixels::rootsBelowARootAreTheSame()
             const Ray ray = view.ray(uniform(random, -0.7, 0.7), uniform(random, -0.7, 0.7));
             const RayHit hit = walker.cast(ray);
             const RayHit same = walker.cast(ray, roots);
+            const RayHit ofMeshes = walker.cast(ray, meshes);
+            QVERIFY(ofMeshes.t >= hit.t - 1e-13 && ofMeshes.choices.empty());
             QVERIFY2(
                 hit.t == same.t || std::abs(hit.t - same.t) <= 1e-13,
                 qPrintable(QStringLiteral("%1: %2, but %3").arg(i).arg(hit.t, 0, 'g', 17).arg(same.t, 0, 'g', 17)));
