@@ -4,8 +4,9 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
-#include "core/fractal/address.h"
+#include "core/fractal/statetable.h"
 
 namespace romanesco {
 
@@ -13,11 +14,10 @@ namespace romanesco {
 /// a chain of one map they begin; or the set of the innermost.
 enum class Colouring { Materials, Depth, Branch, Set };
 
-/// Copies that stand out: all below an address of an item of a scene, which need not name a whole copy; an empty one
-/// stands for the item.
+/// Copies that stand out: all that some steps from the root of an item of a scene lead to; without any the whole item.
 struct Selection {
     std::size_t item = 0;
-    Address address;
+    std::vector<Step> steps;
 
     bool operator==(const Selection &) const = default;
 };

@@ -107,6 +107,11 @@ void OrbitCamera::setProjection(Projection projection)
     m_camera.viewHeight = height;
 }
 
+void OrbitCamera::setPivotDistance(double distance)
+{
+    m_pivot = m_camera.position + distance * m_camera.worldFromCamera[2];
+}
+
 void OrbitCamera::move(const Anchor::Move &move)
 {
     m_camera.position = move(m_camera.position);

@@ -35,6 +35,8 @@ public:
     /// Perspective and orthographic, the pivot's plane kept at its size.
     void setProjection(Projection projection);
 
+    /// The pivot goes to this distance along the camera's axis.
+    void setPivotDistance(double distance);
     /// Counts everything from another place.
     void move(const Anchor::Move &move);
     /// The size of what is nearby, and whether that is the whole scene.

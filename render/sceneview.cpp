@@ -2,9 +2,20 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "sceneview.h"
 
+#include <cmath>
+#include <numbers>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace romanesco {
+
+namespace {
+
+/// A ray that comes past very many copies ends there, lest a pointer that moves wait for it.
+constexpr std::uint64_t mostNodes = 100'000;
+
+}
 
 void SceneView::setScene(std::shared_ptr<const Scene> scene)
 {
@@ -69,8 +80,46 @@ void SceneView::pan(const glm::dvec2 &movement)
 
 void SceneView::zoom(double factor, const glm::dvec2 &pointer)
 {
+    if (const auto picked = pick(pointer, 1e-3)) {
+        m_orbit.setPivotDistance(picked->distance);
+    }
     m_orbit.zoom(factor, pointer);
     follow();
+}
+
+std::optional<SceneView::Picked> SceneView::pick(const glm::dvec2 &pointer, double share) const
+{
+    if (!hasRayWalk() || !m_surroundings) {
+        return std::nullopt;
+    }
+    const Camera &camera = m_orbit.camera();
+    const glm::dmat3 &axes = camera.worldFromCamera;
+    Ray ray;
+    ray.nodeBudget = mostNodes;
+    if (camera.projection == Projection::Perspective) {
+        const double slope = 2.0 * std::tan(0.5 * camera.fieldOfView * std::numbers::pi / 180.0);
+        ray.origin = camera.position;
+        ray.direction = axes * glm::dvec3(slope * pointer, 1.0);
+        ray.spread = 0.5 * share * slope;
+    } else {
+        ray.origin = camera.position + axes * glm::dvec3(camera.viewHeight * pointer, 0.0);
+        ray.direction = axes[2];
+        ray.width = 0.5 * share * camera.viewHeight;
+        ray.least = -2.0 * (m_surroundings->reach + glm::distance(camera.position, m_surroundings->nearby.centre));
+    }
+    RayHit hit;
+    m_walk->cast(ray, *m_surroundings, hit);
+    if (!hit.isFound()) {
+        return std::nullopt;
+    }
+    const Surroundings::Node &root = m_surroundings->nodes[hit.root];
+    const auto shared = m_surroundings->path.begin() + static_cast<std::ptrdiff_t>(root.sharedSteps);
+    Picked picked{m_walk->item(), {m_surroundings->path.begin(), shared}, hit.t};
+    if (root.step) {
+        picked.steps.push_back(*root.step);
+    }
+    picked.steps.insert(picked.steps.end(), hit.choices.begin(), hit.choices.end());
+    return picked;
 }
 
 void SceneView::setProjection(Projection projection)

@@ -63,15 +63,15 @@ Tint over(const Tint &top, const Tint &below)
 
 }
 
-Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected, std::span<const Step> path)
+Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const std::vector<Step> *selected,
+               std::span<const Step> path)
     : m_colouring(colouring)
     , m_hasSelection(selected != nullptr)
     , m_graph(&graph)
 {
     if (selected) {
-        for (const Pick &pick : *selected) {
-            const SetId set = graph.levels().set(graph.levels().locate(pick.position).slot);
-            m_selected.push_back(graph.mapClasses(set)[pick.map]);
+        for (const Step &step : *selected) {
+            m_selected.push_back(graph.mapClasses(step.set)[step.map]);
         }
     }
     if (isNeeded()) {

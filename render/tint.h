@@ -22,7 +22,7 @@ struct Marks {
     std::uint32_t picks = 0;
     /// All picks so far are of this set, which has but one map; or `noChain`.
     SetId chain = noChain;
-    /// As many picks of the selected address lead here, or `strayed`.
+    /// As many of the selected steps lead here, or `strayed`.
     std::uint32_t matched = 0;
 
     static constexpr std::uint32_t strayed = 0xffffffff;
@@ -34,8 +34,9 @@ class Tinter
 {
 public:
     Tinter() = default;
-    /// Without a selected address none stands out. graph must outlive it. path: what nodes share (see Surroundings).
-    Tinter(const FractalGraph &graph, Colouring colouring, const Address *selected, std::span<const Step> path);
+    /// Without selected steps none stands out. graph must outlive it. path: what nodes share (see Surroundings).
+    Tinter(const FractalGraph &graph, Colouring colouring, const std::vector<Step> *selected,
+           std::span<const Step> path);
 
     /// Whether any copy has a tint.
     [[nodiscard]] bool isNeeded() const { return m_colouring != Colouring::Materials || m_hasSelection; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
@@ -182,6 +183,19 @@ void MainWindow::connectEditActions()
     });
 }
 
+void MainWindow::changeAppearance()
+{
+    Appearance appearance = m_viewport.appearance();
+    // In the order of the enumeration.
+    const auto chosen = m_actions.colouring->actions().indexOf(m_actions.colouring->checkedAction());
+    appearance.colours.colouring = static_cast<Colouring>(chosen);
+    appearance.hasWires = m_actions.wireframe->isChecked();
+    appearance.isLit = m_actions.lighting->isChecked();
+    appearance.hasTextures = m_actions.textures->isChecked();
+    appearance.isSmooth = m_actions.smooth->isChecked();
+    m_viewport.setAppearance(appearance);
+}
+
 void MainWindow::connectViewActions()
 {
     connect(m_actions.fit, &QAction::triggered, &m_viewport, &Viewport::fit);
@@ -190,6 +204,10 @@ void MainWindow::connectViewActions()
     connect(m_actions.front, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Front); });
     connect(m_actions.right, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Right); });
     connect(m_actions.top, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Top); });
+    connect(m_actions.colouring, &QActionGroup::triggered, this, &MainWindow::changeAppearance);
+    for (QAction *action : {m_actions.wireframe, m_actions.lighting, m_actions.textures, m_actions.smooth}) {
+        connect(action, &QAction::toggled, this, &MainWindow::changeAppearance);
+    }
     connect(m_actions.orthographic, &QAction::toggled, this, [this](bool isOrthographic) {
         m_viewport.setProjection(isOrthographic ? Projection::Orthographic : Projection::Perspective);
     });

@@ -74,6 +74,7 @@ private:
     void showCursorPlace();
     void updateTitle();
     void updateDepth();
+    void changeAppearance();
     void goTo(SourceRange range, const TextSnapshot &text);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);

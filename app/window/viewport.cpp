@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <utility>
 
+#include <QEnterEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QWheelEvent>
@@ -37,6 +39,8 @@ constexpr double keyMovement = 1.0 / 24.0;
 
 Viewport::Viewport(QWidget *parent)
     : QOpenGLWidget(parent)
+    , m_finding(
+          [this](const std::shared_ptr<const Scene> &scene, const std::stop_token &stop) { runFinding(scene, stop); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -63,7 +67,11 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     m_resetsView = m_resetsView || hasNewCamera;
     m_scene = std::move(scene);
     m_view.setScene(m_scene);
+    m_appearance.colours.selection.reset();
     m_isSceneNew = true;
+    if (underMouse()) {
+        findSurfaces();
+    }
     // A text that changes is followed coarsely where a fine picture takes its time.
     if (m_fineMilliseconds > slowMilliseconds) {
         m_rest.start();
@@ -212,6 +220,7 @@ void Viewport::beginPictureIfDue()
     View view;
     view.camera = camera();
     view.surroundings = m_view.surroundings();
+    view.appearance = m_appearance;
     view.width = wanted.width;
     view.height = wanted.height;
     view.pixelTolerance = wanted.pixelTolerance;
@@ -287,6 +296,59 @@ double Viewport::aspect() const
     return double(std::max(1, width())) / std::max(1, height());
 }
 
+// ---- Surfaces under the pointer
+
+/// The first time that it may be asked for.
+void Viewport::findSurfaces()
+{
+    if (m_scene && m_sought.lock() != m_scene) {
+        m_sought = m_scene;
+        m_finding.post(m_scene);
+    }
+}
+
+/// On the thread that makes it.
+void Viewport::runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop)
+{
+    try {
+        auto made = SceneRayWalk::create(scene, stop);
+        if (made && !stop.stop_requested()) {
+            auto walk = std::make_shared<SceneRayWalk>(std::move(*made));
+            QMetaObject::invokeMethod(this, [this, walk] { m_view.setRayWalk(walk); }, Qt::QueuedConnection);
+        }
+    } catch (const std::bad_alloc &) {
+        // Then nothing is found under the pointer.
+    }
+}
+
+void Viewport::select(const QPointF &place)
+{
+    findSurfaces();
+    const auto picked = m_view.pick(fromMiddle(place), 1.0 / std::max(1, height()));
+    Appearance appearance = m_appearance;
+    appearance.colours.selection = picked ? std::optional(Selection{picked->item, picked->steps}) : std::nullopt;
+    setAppearance(appearance);
+}
+
+void Viewport::setAppearance(const Appearance &appearance)
+{
+    if (appearance != m_appearance) {
+        m_appearance = appearance;
+        cameraChanged();
+    }
+}
+
+glm::dvec2 Viewport::fromMiddle(const QPointF &place) const
+{
+    return inHeights(place - QPointF(width() / 2.0, height() / 2.0));
+}
+
+void Viewport::enterEvent(QEnterEvent *event)
+{
+    QOpenGLWidget::enterEvent(event);
+    findSurfaces();
+}
+
 // ---- Mouse and keyboard
 
 /// A movement on the screen in heights of the view, y up.
@@ -327,6 +389,7 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
     if (m_drag == Drag::Orbit && m_isClick) {
+        select(event->position());
         Q_EMIT clicked(event->position().toPoint());
     }
     m_drag = Drag::None;
@@ -334,8 +397,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent *event)
 
 void Viewport::wheelEvent(QWheelEvent *event)
 {
-    const QPointF fromMiddle = event->position() - QPointF(width() / 2.0, height() / 2.0);
-    m_view.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), inHeights(fromMiddle));
+    findSurfaces();
+    m_view.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), fromMiddle(event->position()));
     cameraChanged();
     event->accept();
 }

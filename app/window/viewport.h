@@ -8,6 +8,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
+#include "core/base/newestjob.h"
 #include "render/renderer.h"
 #include "render/sceneview.h"
 
@@ -35,6 +36,11 @@ public:
     void lookFrom(Side side);
     void setProjection(Projection projection);
 
+    /// How surfaces are drawn; the copy that was clicked stands out.
+    void setAppearance(const Appearance &appearance);
+    [[nodiscard]] const Appearance &appearance() const { return m_appearance; }
+
+    [[nodiscard]] const SceneView &view() const { return m_view; }
     /// Where from, counted from the node that is near (see SceneView).
     [[nodiscard]] const Camera &camera() const { return m_view.camera(); }
     /// Whether what is seen is the newest scene from the newest view, at its best.
@@ -59,6 +65,7 @@ protected:
     void paintGL() override;
     void resizeGL(int width, int height) override;
     void showEvent(QShowEvent *event) override;
+    void enterEvent(QEnterEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -78,6 +85,10 @@ private:
         bool operator==(const Request &) const = default;
     };
 
+    void findSurfaces();
+    void runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop);
+    void select(const QPointF &place);
+    [[nodiscard]] glm::dvec2 fromMiddle(const QPointF &place) const;
     void release();
     void reportWhetherAvailable();
     void drawOn();
@@ -98,6 +109,9 @@ private:
     bool m_resetsView = false;
 
     SceneView m_view;
+    Appearance m_appearance;
+    /// The scene that m_finding was given last.
+    std::weak_ptr<const Scene> m_sought;
     quint64 m_cameraRevision = 0;
     /// Runs while the camera counts as moving.
     QTimer m_rest;
@@ -114,6 +128,9 @@ private:
     bool m_isClick = false;
     QPointF m_pressedAt;
     QPointF m_lastAt;
+
+    /// Makes what finds the surface under the pointer; the last, so that it ends first.
+    NewestJob<std::shared_ptr<const Scene>> m_finding;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "windowactions.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QMenuBar>
 #include <QToolBar>
 
@@ -55,12 +56,27 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , right(makeFor(viewport, tr("&Side"), Qt::Key_3))
     , top(makeFor(viewport, tr("&Top"), Qt::Key_7))
     , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
+    , colouring(new QActionGroup(&window))
+    , wireframe(make(window, tr("&Wireframe")))
+    , lighting(make(window, tr("&Lighting")))
+    , textures(make(window, tr("&Textures")))
+    , smooth(make(window, tr("&Smooth Shading")))
     , largerText(make(window, tr("&Larger Text"), QKeySequence::ZoomIn))
     , smallerText(make(window, tr("S&maller Text"), QKeySequence::ZoomOut))
     , usualText(make(window, tr("&Usual Text Size"), Qt::CTRL | Qt::Key_0))
     , fullScreen(make(window, tr("&Full Screen"), Qt::Key_F11))
     , about(make(window, tr("&About Romanesco")))
 {
+    for (const QString &words : {tr("&Materials"), tr("&Depth"), tr("&Branch"), tr("S&et")}) {
+        QAction *action = make(window, words);
+        action->setCheckable(true);
+        colouring->addAction(action);
+    }
+    colouring->actions().first()->setChecked(true);
+    for (QAction *action : {wireframe, lighting, textures, smooth}) {
+        action->setCheckable(true);
+        action->setChecked(action != wireframe);
+    }
     orthographic->setCheckable(true);
     orthographic->setIconText(tr("Ortho"));
     fullScreen->setCheckable(true);
@@ -89,6 +105,9 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addActions({fit, resetView});
     view->addSeparator();
     view->addActions({front, right, top, orthographic});
+    view->addSeparator();
+    view->addMenu(tr("&Colour By"))->addActions(colouring->actions());
+    view->addActions({wireframe, lighting, textures, smooth});
     view->addSeparator();
     view->addActions({largerText, smallerText, usualText});
 

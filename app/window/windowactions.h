@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 class QAction;
+class QActionGroup;
 class QMenu;
 class QMenuBar;
 class QToolBar;
@@ -47,6 +48,12 @@ public:
     QAction *right;
     QAction *top;
     QAction *orthographic;
+    /// One of them is checked: materials, depth, branch, set.
+    QActionGroup *colouring;
+    QAction *wireframe;
+    QAction *lighting;
+    QAction *textures;
+    QAction *smooth;
     QAction *largerText;
     QAction *smallerText;
     QAction *usualText;

@@ -76,7 +76,7 @@ bool isLater(double way, double otherWay)
 
 void clear(RayHit &hit)
 {
-    std::vector<RayHit::Choice> choices = std::move(hit.choices); // for its memory
+    std::vector<Step> choices = std::move(hit.choices); // for its memory
     choices.clear();
     clear<RayHit>(hit);
     hit.choices = std::move(choices);

@@ -67,12 +67,7 @@ struct RayHit : SurfacePoint {
     /// In the list of roots.
     std::size_t root = 0;
     /// The same picks as the address, each a map of a set.
-    struct Choice {
-        SetId set = 0;
-        std::uint32_t map = 0;
-        bool operator==(const Choice &) const = default;
-    };
-    std::vector<Choice> choices;
+    std::vector<Step> choices;
     /// Whether the copy stands for all that begins with its address, being smaller than the ray is wide.
     bool isStandIn = false;
 
@@ -119,7 +114,7 @@ private:
         std::uint32_t depth = 0;
         /// None for a root.
         std::uint32_t parent = none;
-        RayHit::Choice choice = {};
+        Step choice = {};
         StateId state = 0;
         bool isMeshOnly = false;
     };
@@ -128,7 +123,7 @@ private:
         double way = 0.0;
         std::uint32_t frame = 0;
         double magnitude = 0.0;
-        RayHit::Choice choice = {};
+        Step choice = {};
         StateId state = 0;
         bool isRoot = false;
         /// It is narrower than the ray.

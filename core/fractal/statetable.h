@@ -40,6 +40,13 @@ struct ChildRange {
     StateId next;
 };
 
+/// A map of a set, as the way from a state to its child.
+struct Step {
+    SetId set = 0;
+    std::uint32_t map = 0;
+    bool operator==(const Step &) const = default;
+};
+
 /// The children of a state, each canonical continuation once, in a fixed order.
 struct Expansion {
     boost::container::small_vector<ChildRange, 2> ranges;

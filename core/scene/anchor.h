@@ -12,13 +12,6 @@
 
 namespace romanesco {
 
-/// A map of a set, as a way from a state to its child.
-struct Step {
-    SetId set = 0;
-    std::uint32_t map = 0;
-    bool operator==(const Step &) const = default;
-};
-
 /// What is seen from a place in a scene, in that place's own coordinates. Immutable; shared between threads.
 struct Surroundings {
     /// A node of an item's graph, all below it included.

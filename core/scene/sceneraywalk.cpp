@@ -88,6 +88,28 @@ void SceneRayWalk::cast(const Ray &ray, RayHit &hit)
     }
 }
 
+void SceneRayWalk::cast(const Ray &ray, const Surroundings &from, RayHit &hit)
+{
+    assert(from.scene == m_scene && "the place lies in the scene");
+    clear(hit);
+    hit.lower = ray.greatest;
+    Ray left = ray;
+    for (std::size_t first = 0; first < from.nodes.size();) {
+        const std::size_t item = from.nodes[first].item;
+        m_roots.clear();
+        for (std::size_t i = first; i < from.nodes.size() && from.nodes[i].item == item; ++i) {
+            const Surroundings::Node &node = from.nodes[i];
+            m_roots.push_back({node.state, node.hereFromNode, node.isMeshOnly});
+        }
+        m_placed[item].part->walk.cast(left, m_roots, m_ofItem);
+        m_ofItem.root += first;
+        left.nodeBudget -= std::min(left.nodeBudget, m_ofItem.cost.nodeVisits);
+        take(item, hit);
+        left.greatest = std::min(left.greatest, hit.t);
+        first += m_roots.size();
+    }
+}
+
 /// Those that the ray may meet.
 void SceneRayWalk::listItems(const Ray &ray, const glm::dvec3 &direction)
 {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "anchor.h"
 #include "core/collide/facetree.h"
 #include "core/collide/raywalk.h"
 #include "core/geometry/sphere.h"
@@ -31,9 +32,13 @@ public:
     /// See RayWalk::cast(); hit.root is 0. A budget is for all items together.
     void cast(const Ray &ray, RayHit &hit);
 
+    /// The same in the coordinates of a place in the scene; hit.root is a node of what surrounds it.
+    void cast(const Ray &ray, const Surroundings &from, RayHit &hit);
+
     /// By the last ray, the item in Scene::items that was met. Only where one was.
     [[nodiscard]] std::size_t item() const { return m_item; }
 
+    [[nodiscard]] const std::shared_ptr<const Scene> &scene() const { return m_scene; }
     [[nodiscard]] std::size_t memoryUse() const;
 
 private:
@@ -71,6 +76,7 @@ private:
     /// A heap of the items that were not looked at, the nearest on top.
     std::vector<Waiting> m_waiting;
     std::vector<RayRoot> m_root{RayRoot{}};
+    std::vector<RayRoot> m_roots;
     RayHit m_ofItem;
     std::size_t m_item = 0;
 };

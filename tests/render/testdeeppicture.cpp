@@ -228,9 +228,9 @@ void TestDeepPicture::coloursAndSelectionsReachInside()
     for (const Colouring colouring : {Colouring::Depth, Colouring::Branch, Colouring::Set, Colouring::Materials}) {
         View view = viewOf(inside);
         view.appearance.colours.colouring = colouring;
-        const Pick first{0, inside.surroundings()->path[0].map};
-        const Address address = colouring == Colouring::Materials ? Address{} : Address{first};
-        view.appearance.colours.selection = Selection{0, address};
+        const Step first = inside.surroundings()->path[0];
+        const auto steps = colouring == Colouring::Materials ? std::vector<Step>() : std::vector{first};
+        view.appearance.colours.selection = Selection{0, steps};
         const Picture found = draw(scene, view);
         view.camera = outside.camera();
         view.surroundings.reset();

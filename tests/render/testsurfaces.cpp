@@ -292,7 +292,7 @@ void TestSurfaces::selectedCopiesStandOut()
     view.camera.viewHeight = 14;
     const auto at = [](double x) { return static_cast<int>(std::lround((x / 14 + 0.5) * side)); };
     const Picture plain = draw(scene, view);
-    view.appearance.colours.selection = Selection{0, {{0, 1}}};
+    view.appearance.colours.selection = Selection{0, {{1, 1}}};
     const Picture selected = draw(scene, view);
     for (const double x : {-6.0, -2.0}) {
         QCOMPARE(pixel(selected, at(x), 50), pixel(plain, at(x), 50));
@@ -300,7 +300,7 @@ void TestSurfaces::selectedCopiesStandOut()
     for (const double x : {2.0, 6.0}) {
         QVERIFY(pixel(selected, at(x), 50)[2] > pixel(plain, at(x), 50)[2] + 30);
     }
-    view.appearance.colours.selection = Selection{0, {{0, 1}, {1, 0}}};
+    view.appearance.colours.selection = Selection{0, {{1, 1}, {0, 0}}};
     const Picture one = draw(scene, view);
     QCOMPARE(pixel(one, at(2), 50), pixel(selected, at(2), 50));
     QCOMPARE(pixel(one, at(6), 50), pixel(plain, at(6), 50));

@@ -41,6 +41,16 @@ double brightShare(const QImage &picture)
     return double(bright) / double(picture.width() * picture.height());
 }
 
+/// The Sierpinski example, as deep as a view ever goes.
+std::shared_ptr<const Scene> deepScene()
+{
+    const ResourceFiles files;
+    const std::filesystem::path path = ":/examples/sierpinski.fdo";
+    std::string text = files.read(path).value();
+    text = text.substr(0, text.rfind(' ')) + " 100000\n";
+    return SceneLoader(files).load(path, text).scene;
+}
+
 struct Sample {
     Viewport viewport;
     QSignalSpy finished{&viewport, &Viewport::pictureFinished};
@@ -96,6 +106,9 @@ private Q_SLOTS:
     void anotherCameraInTheTextIsFollowed();
     void movementIsFollowedByAFinePicture();
     void resizingMakesANewPicture();
+    void theWheelGoesIntoTheSurface();
+    void aClickLetsACopyStandOut();
+    void appearancesMakeNewPictures();
 };
 
 void TestViewport::thePictureShowsTheScene()
@@ -297,6 +310,89 @@ void TestViewport::resizingMakesANewPicture()
     QVERIFY(QTest::qWaitFor([&] { return sample.viewport.size() == QSize(400, 200); }));
     QVERIFY(sample.waitForPicture());
     QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.02);
+}
+
+namespace {
+
+/// A place on the surface, from the middle outwards; the scene's own surface finder has to be there.
+QPoint placeOnSurface(const Viewport &viewport)
+{
+    const QPoint middle(viewport.width() / 2, viewport.height() / 2);
+    for (int i = 0; i < 60 * 60; ++i) {
+        const QPoint place = middle + QPoint(i % 60 - 30, i / 60 - 30);
+        const glm::dvec2 at(place.x() - viewport.width() / 2.0, viewport.height() / 2.0 - place.y());
+        if (viewport.view().pick(at / double(viewport.height()), 1e-3)) {
+            return place;
+        }
+    }
+    return middle;
+}
+
+void enter(Viewport &viewport)
+{
+    QEnterEvent event(QPointF(1, 1), QPointF(1, 1), QPointF(1, 1));
+    QCoreApplication::sendEvent(&viewport, &event);
+}
+
+}
+
+void TestViewport::theWheelGoesIntoTheSurface()
+{
+    Sample sample;
+    sample.viewport.setScene(deepScene());
+    sample.viewport.resetView();
+    enter(sample.viewport);
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }));
+    QVERIFY(sample.waitForPicture());
+    for (int notch = 0; notch < 400; ++notch) {
+        const QPointF place = placeOnSurface(sample.viewport);
+        QWheelEvent event(place, sample.viewport.mapToGlobal(place), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&sample.viewport, &event);
+    }
+    // A notch goes 15 % of the way, a level is half as large as the one above.
+    const std::size_t expected = static_cast<std::size_t>(400 * std::log(0.85) / std::log(0.5));
+    const std::size_t depth = sample.viewport.view().surroundings()->path.size();
+    QVERIFY2(depth + 8 > expected && depth < expected + 8, qPrintable(QString::number(depth)));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.02);
+    sample.viewport.fit();
+    QVERIFY(sample.viewport.view().surroundings()->path.size() < 3);
+}
+
+void TestViewport::aClickLetsACopyStandOut()
+{
+    Sample sample;
+    enter(sample.viewport);
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }));
+    QVERIFY(sample.waitForPicture());
+    const QImage before = sample.viewport.grabFramebuffer();
+    const QPoint place = placeOnSurface(sample.viewport);
+    sample.drag(Qt::LeftButton, Qt::NoModifier, place, place);
+    const auto selected = sample.viewport.appearance().colours.selection;
+    QVERIFY(selected && !selected->steps.empty());
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.grabFramebuffer() != before);
+    sample.drag(Qt::LeftButton, Qt::NoModifier, {1, 1}, {1, 1});
+    QVERIFY(!sample.viewport.appearance().colours.selection);
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+}
+
+void TestViewport::appearancesMakeNewPictures()
+{
+    Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const QImage before = sample.viewport.grabFramebuffer();
+    Appearance appearance;
+    appearance.colours.colouring = Colouring::Branch;
+    sample.viewport.setAppearance(appearance);
+    QVERIFY(!sample.viewport.isPictureFinished());
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.viewport.grabFramebuffer() != before);
+    sample.viewport.setAppearance({});
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(sample.viewport.grabFramebuffer(), before);
 }
 
 int main(int argc, char **argv)

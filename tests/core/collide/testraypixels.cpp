@@ -212,7 +212,7 @@ void TestRayPixels::pixelsShowWhatABruteForceFinds()
         }
         // what is said of it is what the graph makes of it
         AffineMap byChoices;
-        for (const RayHit::Choice &choice : hit.choices) {
+        for (const Step &choice : hit.choices) {
             byChoices = byChoices * fractal.graph.set(choice.set).maps.at(choice.map);
         }
         QVERIFY(byChoices == found);
