@@ -18,7 +18,12 @@ namespace {
 constexpr double inside = 2.0;
 constexpr double outside = 4.0;
 /// Another node is worth a move where it is so much smaller.
-constexpr double worthIt = 1.0 / 3.0;
+constexpr double worthIt = 0.6;
+/// What is near a point need not be below the node that the point is nearest to: so many nodes are followed down at a time,
+/// from so many levels above the first in which the point lies, and while their size can be told from there.
+constexpr std::size_t mostFollowed = 16;
+constexpr int levelsAbove = 8;
+constexpr double smallest = 1e-12;
 /// Of what is so many times as large as what is here, the parts that are near would be off by a millionth of what is here;
 /// and little is seen of it between all that is smaller.
 constexpr double largest = 1e9;
@@ -118,20 +123,6 @@ void Anchor::forEachChild(std::size_t levels, Use &&use) const
     }
 }
 
-std::optional<Anchor::Child> Anchor::childRound(const glm::dvec3 &point, double radius) const
-{
-    std::optional<Child> nearest;
-    double least = std::numeric_limits<double>::infinity();
-    forEachChild(m_levels.size(), [&](const Child &child) {
-        const double share = (glm::distance(child.bound.centre, point) + radius) / child.bound.radius;
-        if (share <= inside && share < least) {
-            least = share;
-            nearest = child;
-        }
-    });
-    return nearest;
-}
-
 std::optional<Anchor::Move> Anchor::descend(const Child &child)
 {
     const glm::dmat3 product = linear() * child.map.linear;
@@ -159,13 +150,18 @@ Anchor::Move Anchor::ascend()
 
 bool Anchor::enter(const Step &step)
 {
+    return enterWith(step).has_value();
+}
+
+std::optional<Anchor::Move> Anchor::enterWith(const Step &step)
+{
     std::optional<Child> found;
     forEachChild(m_levels.size(), [&](const Child &child) {
         if (child.step == step) {
             found = child;
         }
     });
-    return found && descend(*found);
+    return found ? descend(*found) : std::nullopt;
 }
 
 std::vector<Anchor::Move> Anchor::moveTo(std::shared_ptr<const Scene> scene)
@@ -211,44 +207,121 @@ void Anchor::addSiblings(std::size_t level, double size, const glm::dvec3 &origi
     }
 }
 
-/// Up until the ball is inside, and down from there.
-void Anchor::settle(glm::dvec3 point, double radius, std::vector<Move> &moves)
+/// Below a node: of the ways down on which a ball stays within a share of the bounds, the one that ends at the smallest.
+Anchor::Way Anchor::wayDown(StateTable &table, const Place &start, const glm::dvec3 &point, double radius)
 {
-    const auto take = [&](const Move &move) {
-        point = move(point);
-        radius /= move.scale;
-        moves.push_back(move);
-    };
-    while (!isInWorld() && !holds(bound(), point, radius, inside)) {
-        take(ascend());
-    }
-    while (const auto child = childRound(point, radius)) {
-        const auto move = descend(*child);
-        if (!move) {
-            break;
+    std::vector<Place> places{start};
+    std::vector<std::size_t> open{0};
+    std::size_t best = 0;
+    while (!open.empty()) {
+        std::vector<Place> next;
+        for (const std::size_t from : open) {
+            const Place at = places[from];
+            const StateId state = table.find(at.state);
+            const std::vector<Sphere> &bounds = table.childBounds(state);
+            std::size_t number = 0;
+            for (const ChildRange &range : table.expansion(state).ranges) {
+                for (std::uint32_t map = range.firstMap; map < range.endMap; ++map, ++number) {
+                    const double size = at.norm * bounds[number].radius;
+                    const double share = (glm::distance(at.map(bounds[number].centre), point) + radius) / size;
+                    if (share <= inside && size > smallest * start.norm) {
+                        const AffineMap below = at.map * table.graph().set(range.set).maps[map];
+                        const double norm = operatorNorm(below.linear);
+                        next.push_back(
+                            {from, {range.set, map}, table.state(range.next).positions, below, norm, size, share});
+                    }
+                }
+            }
         }
-        take(*move);
+        std::ranges::sort(next, {}, &Place::share);
+        next.resize(std::min(next.size(), mostFollowed));
+        open.clear();
+        for (Place &place : next) {
+            open.push_back(places.size());
+            best = place.size < places[best].size ? places.size() : best;
+            places.push_back(std::move(place));
+        }
     }
+    Way way{{}, places[best].size};
+    for (; best != 0; best = places[best].from) {
+        way.steps.push_back(places[best].step);
+    }
+    std::ranges::reverse(way.steps);
+    return way;
+}
+
+/// From here, in coordinates of here.
+Anchor::Way Anchor::wayDown(const glm::dvec3 &point, double radius) const
+{
+    const auto holdsBall = [&](const Sphere &sphere) { return holds(sphere, point, radius, inside); };
+    if (!isInWorld()) {
+        return wayDown(*m_table, {0, {}, m_levels.back().state, {linear(), glm::dvec3(0.0)}, 1.0, bound().radius, 0.0},
+                       point, radius);
+    }
+    Way best{{}, std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < m_scene->items.size(); ++i) {
+        const SceneItem &item = m_scene->items[i];
+        const Sphere sphere = boundingSphere(item);
+        if (sphere.isEmpty() || !holdsBall(sphere)) {
+            continue;
+        }
+        StateTable table(item.model->graph);
+        const AffineMap &map = item.worldFromModel;
+        Way way =
+            wayDown(table, {0, {}, Positions{0}, map, operatorNorm(map.linear), sphere.radius, 0.0}, point, radius);
+        if (way.size < best.size) {
+            best = std::move(way);
+            best.steps.insert(best.steps.begin(), {0, static_cast<std::uint32_t>(i)});
+        }
+    }
+    return best;
 }
 
 std::vector<Anchor::Move> Anchor::follow(const glm::dvec3 &point, double radius)
 {
-    std::vector<Move> moves;
-    const Sphere here = bound();
-    if (isInWorld() || holds(here, point, radius, inside) || !holds(here, point, radius, outside)) {
-        settle(point, radius, moves);
-        return moves;
-    }
     Anchor other = *this;
-    other.settle(point, radius, moves);
-    double size = other.bound().radius;
-    for (const Move &move : moves) {
-        size *= move.scale;
+    glm::dvec3 p = point;
+    double r = radius;
+    double unit = 1.0;
+    const auto take = [&](const Move &move) {
+        p = move(p);
+        r /= move.scale;
+        unit *= move.scale;
+    };
+    for (int above = 0; !other.isInWorld() && !holds(other.bound(), p, r, 0.5) && above < levelsAbove;) {
+        above += holds(other.bound(), p, r, inside) ? 1 : 0;
+        take(other.ascend());
     }
-    if (size > worthIt * here.radius) {
+    const Way way = other.wayDown(p, r);
+    const bool isLeft = !isInWorld() && !holds(bound(), point, radius, outside);
+    const double size = way.steps.empty() && !other.isInWorld() ? other.bound().radius : way.size;
+    if (!isLeft && !(unit * size < worthIt * bound().radius) && !(isInWorld() && !way.steps.empty())) {
         return {};
     }
-    *this = std::move(other);
+    std::vector<Step> path;
+    for (const Level &level : other.m_levels) {
+        path.push_back(level.step);
+    }
+    path.insert(path.end(), way.steps.begin(), way.steps.end());
+    return goTo(path);
+}
+
+/// What the ways here and there have in common stays as it is: each move rounds.
+std::vector<Anchor::Move> Anchor::goTo(std::span<const Step> path)
+{
+    const auto isSame = [](const Level &level, const Step &step) { return level.step == step; };
+    const auto common = std::ranges::mismatch(m_levels, path, isSame).in1 - m_levels.begin();
+    std::vector<Move> moves;
+    while (m_levels.size() > static_cast<std::size_t>(common)) {
+        moves.push_back(ascend());
+    }
+    for (const Step &step : path.subspan(static_cast<std::size_t>(common))) {
+        const auto move = enterWith(step);
+        if (!move) {
+            break;
+        }
+        moves.push_back(*move);
+    }
     return moves;
 }
 

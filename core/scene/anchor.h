@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/fractal/statetable.h"
@@ -65,9 +66,9 @@ public:
         [[nodiscard]] glm::dvec3 operator()(const glm::dvec3 &old) const { return (old - offset) / scale; }
     };
 
-    /// Goes to the node whose size fits what is looked at: the smallest in twice whose bound a ball round a point lies, by
-    /// going into the child nearest to it. With hysteresis: out of a node only where the ball leaves four times its
-    /// bound, or where a node a third as large is found elsewhere. The moves, one for each level up or down, in the order
+    /// Goes to the node whose size fits what is looked at: the smallest in twice whose bound a ball round a point lies, as
+    /// far as sixteen ways down show it. With hysteresis: out of a node only where the ball leaves four times its bound,
+    /// or where a node of at most six tenths of its size is found. The moves, one for each level up or down, in the order
     /// they happened; each is to be applied to all that is counted from here. Cost: the children of the nodes passed.
     [[nodiscard]] std::vector<Move> follow(const glm::dvec3 &point, double radius);
 
@@ -108,10 +109,27 @@ private:
 
     template<typename Use>
     void forEachChild(std::size_t levels, Use &&use) const;
-    [[nodiscard]] std::optional<Child> childRound(const glm::dvec3 &point, double radius) const;
+    /// On a way down, in the coordinates that it began in.
+    struct Place {
+        std::size_t from = 0;
+        Step step;
+        Positions state;
+        AffineMap map;
+        double norm = 1.0;
+        double size = 0.0;
+        double share = 0.0;
+    };
+    struct Way {
+        std::vector<Step> steps;
+        /// Of the last node's bound.
+        double size = 0.0;
+    };
+    [[nodiscard]] static Way wayDown(StateTable &table, const Place &start, const glm::dvec3 &point, double radius);
+    [[nodiscard]] Way wayDown(const glm::dvec3 &point, double radius) const;
+    [[nodiscard]] std::optional<Move> enterWith(const Step &step);
+    [[nodiscard]] std::vector<Move> goTo(std::span<const Step> path);
     [[nodiscard]] std::optional<Move> descend(const Child &child);
     [[nodiscard]] Move ascend();
-    void settle(glm::dvec3 point, double radius, std::vector<Move> &moves);
     void setModel();
     [[nodiscard]] glm::dmat3 linear() const;
     void addSiblings(std::size_t level, double size, const glm::dvec3 &origin, Surroundings &found) const;
