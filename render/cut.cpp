@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <iterator>
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -22,66 +21,6 @@ constexpr unsigned allPlanes = 0b11111;
 /// Nothing smaller is walked into, in pixels.
 constexpr double leastTolerance = 1e-6;
 
-/// In degrees; in units of the view.
-constexpr double leastFieldOfView = 1e-6;
-constexpr double leastViewHeight = 1e-9;
-
-}
-
-Projector::Projector(const Camera &camera, const Sphere &nearby, double reach, int viewWidth, int viewHeight)
-    : projection(camera.projection)
-    , position(camera.position)
-{
-    const double size = 2.0 * nearby.radius;
-    const double distance = glm::distance(camera.position, nearby.centre);
-    unit = std::max({size, distance, std::numeric_limits<double>::min()});
-    cameraFromHere = glm::transpose(camera.worldFromCamera) / unit;
-    range = (distance + std::max(reach, nearby.radius)) / unit;
-    const bool isPerspective = projection == Projection::Perspective;
-    // What is narrower has no more pixels that differ, and floats would end.
-    const double angle = std::max(camera.fieldOfView, leastFieldOfView);
-    scaleY = isPerspective ? 1.0 / std::tan(0.5 * angle * std::numbers::pi / 180.0)
-                           : 2.0 * unit / std::max(camera.viewHeight, leastViewHeight * unit);
-    scaleX = scaleY * viewHeight / viewWidth;
-    pixels = 0.5 * scaleY * viewHeight;
-    width = viewWidth;
-    height = viewHeight;
-}
-
-/// As the shaders have it: reversed.
-double Projector::depthOf(double z) const
-{
-    if (projection == Projection::Perspective) {
-        return near / z;
-    }
-    return 0.5 - 0.5 * (isDeep() ? std::copysign(std::log1p(std::abs(z)) / std::log1p(range), z) : z / range);
-}
-
-bool Projector::isHidden(const Sphere &sphere, const DepthPyramid &drawn) const
-{
-    const bool isPerspective = projection == Projection::Perspective;
-    const double front = sphere.centre.z - sphere.radius;
-    if (isPerspective && front <= near) {
-        return false;
-    }
-    // The sphere lies in the box round it, whose corners bound its picture.
-    const double back = sphere.centre.z + sphere.radius;
-    const glm::dvec2 low = glm::dvec2(sphere.centre) - sphere.radius;
-    const glm::dvec2 high = glm::dvec2(sphere.centre) + sphere.radius;
-    const glm::dvec2 least = isPerspective ? glm::min(low / front, low / back) : low;
-    const glm::dvec2 most = isPerspective ? glm::max(high / front, high / back) : high;
-    const glm::dvec2 scale(scaleX, scaleY);
-    const glm::dvec2 size(width, height);
-    const glm::dvec2 from = (0.5 + 0.5 * (scale * least + jitter)) * size - 1.0;
-    const glm::dvec2 to = (0.5 + 0.5 * (scale * most + jitter)) * size + 1.0;
-    // The card's depths are rounded.
-    const double nearest = depthOf(front) * (1.0 + 1e-5);
-    return drawn.isHidden(from.x, from.y, to.x, to.y, nearest);
-}
-
-AffineMap Projector::cameraFrom(const AffineMap &hereFromNode) const
-{
-    return {cameraFromHere * hereFromNode.linear, cameraFromHere * (hereFromNode.translation - position)};
 }
 
 Cut::Cut(const Model &model)
@@ -98,9 +37,13 @@ void Cut::begin(const Projector &projector, std::span<const Surroundings::Node> 
     m_visited = 0;
     m_memory = 0;
     m_open.clear();
+    m_doubtful.clear();
+    m_isRestInDoubt = false;
+    m_siftedAt = 0;
     m_ready.clear();
     m_tints.clear();
     m_handedOut = false;
+    m_hidden = 0;
 
     // |x| <= z / scaleX for perspective, |x| <= 1 / scaleX for orthographic, and so for y; z >= near.
     const bool isPerspective = projector.projection == Projection::Perspective;
@@ -136,7 +79,7 @@ void Cut::addRoot(const Surroundings::Node &node)
     if (node.isMeshOnly || isSmall(bound)) {
         place(map, state, marks, node.isMeshOnly);
     } else {
-        m_open.push_back({state, planes, map, norm, marks, distanceTo(bound)});
+        m_open.push_back({state, planes, map, norm, marks, distanceTo(bound), false, true});
     }
 }
 
@@ -146,18 +89,28 @@ const std::vector<Instance> &Cut::next(std::size_t count)
         m_ready.clear();
         m_tints.clear();
     }
+    if (m_doubtful.size() >= mostDoubtful && m_depths && m_depths->looks != m_siftedAt) {
+        sift();
+    }
     for (std::size_t visits = 0; !m_open.empty() && m_ready.size() < count && visits < 4 * count; ++visits) {
         const Node node = m_open.back();
         m_open.pop_back();
+        if (!isToBeSeen(node)) {
+            continue;
+        }
         const std::size_t first = m_open.size();
         visit(node);
-        if (m_drawn) {
+        if (m_depths) {
             sortFrom(first);
         }
         // Those on the way down are made anew, which has to be worth it.
-        if (m_table.stateCount() > std::max(mostStates, 2 * m_open.size())) {
+        if (m_table.stateCount() > std::max(mostStates, 2 * (m_open.size() + m_doubtful.size()))) {
             forgetStates();
         }
+    }
+    if (m_open.empty() && !m_doubtful.empty()) {
+        takeUp(m_doubtful.size());
+        m_isRestInDoubt = true;
     }
     m_handedOut = true;
     m_instances += m_ready.size();
@@ -167,8 +120,8 @@ const std::vector<Instance> &Cut::next(std::size_t count)
 
 std::size_t Cut::memoryHeld() const
 {
-    return m_open.capacity() * sizeof(Node) + m_ready.capacity() * sizeof(Instance) + m_tints.capacity() * sizeof(Tint)
-        + m_table.memoryUse();
+    return (m_open.capacity() + m_doubtful.capacity()) * sizeof(Node) + m_boxes.capacity() * sizeof(m_boxes[0])
+        + m_ready.capacity() * sizeof(Instance) + m_tints.capacity() * sizeof(Tint) + m_table.memoryUse();
 }
 
 void Cut::forget()
@@ -176,12 +129,79 @@ void Cut::forget()
     m_table.forget();
     // assigning {} would keep the memory
     m_open = std::vector<Node>();
+    m_doubtful = std::vector<Node>();
+    m_boxes = std::vector<std::optional<Box>>();
     m_ready = std::vector<Instance>();
     m_tints = std::vector<Tint>();
 }
 
+/// Makes room for more that is put off.
+void Cut::sift()
+{
+    m_siftedAt = m_depths->looks;
+    std::erase_if(m_doubtful, [&](const Node &node) {
+        const std::optional<Footprint> footprint = m_projector.footprint(node.map, boxOf(node.state));
+        return m_depths->drawn.isHidden(*footprint);
+    });
+    if (m_doubtful.size() > mostDoubtful / 2) {
+        takeUp(m_doubtful.size() / 2);
+    }
+}
+
+/// The first that were put off are walked next: what is near them is drawn by now.
+void Cut::takeUp(std::size_t count)
+{
+    const std::size_t first = m_open.size();
+    const auto end = m_doubtful.begin() + static_cast<std::ptrdiff_t>(count);
+    std::ranges::for_each(m_doubtful.begin(), end, [](Node &node) { node.mayBePutOff = false; });
+    m_open.insert(m_open.end(), m_doubtful.begin(), end);
+    m_doubtful.erase(m_doubtful.begin(), end);
+    sortFrom(first);
+}
+
+/// Neither behind what is drawn nor, at first, behind what was drawn before: that may be gone, and is put off.
+bool Cut::isToBeSeen(const Node &node)
+{
+    if (!m_depths || (m_depths->drawn.isEmpty() && m_depths->before.isEmpty())) {
+        return true;
+    }
+    const std::optional<Footprint> footprint = m_projector.footprint(node.map, boxOf(node.state));
+    if (!footprint) {
+        return true;
+    }
+    if (m_depths->drawn.isHidden(*footprint)) {
+        ++m_hidden;
+        return false;
+    }
+    const bool isDoubtful =
+        node.mayBePutOff && m_doubtful.size() < mostDoubtful && m_depths->before.isHidden(*footprint);
+    if (isDoubtful) {
+        m_doubtful.push_back(node);
+    }
+    return !isDoubtful;
+}
+
+const Box &Cut::boxOf(StateId state)
+{
+    if (state >= m_boxes.size()) {
+        m_boxes.resize(state + 1);
+    }
+    std::optional<Box> &box = m_boxes[state];
+    if (!box) {
+        box = Box::ofNothing();
+        for (const Position position : m_table.state(state).positions) {
+            box = box->with(m_model.boxes.at(m_model.graph, position));
+        }
+    }
+    return *box;
+}
+
 void Cut::visit(const Node &node)
 {
+    if (node.isSmall) {
+        place(node.map, node.state, node.marks, false);
+        return;
+    }
     ++m_visited;
     const Expansion &expansion = m_table.expansion(node.state);
     if (expansion.hasLeaf) {
@@ -201,18 +221,19 @@ void Cut::addChild(const Node &node, const ChildRange &range, std::uint32_t map,
 {
     const Sphere seen{node.map(bound.centre), node.norm * bound.radius};
     unsigned planes = node.planes;
-    if (isOutside(seen, planes) || isBehind(seen)) {
+    if (isOutside(seen, planes)) {
         return;
     }
     const FractalGraph &graph = m_model.graph;
     const AffineMap composed = node.map * graph.set(range.set).maps[map];
-    const Marks marks = m_tinter.below(node.marks, range.set, map);
-    if (isSmall(seen)) {
-        place(composed, range.next, marks, false);
-        return;
-    }
     const double norm = std::min(node.norm * graph.facts(range.set)[map].norm, frobeniusNorm(composed.linear));
-    m_open.push_back({range.next, planes, composed, norm, marks, distanceTo(seen)});
+    const Node below{range.next,       planes,        composed,        norm, m_tinter.below(node.marks, range.set, map),
+                     distanceTo(seen), isSmall(seen), node.mayBePutOff};
+    if (!below.isSmall) {
+        m_open.push_back(below);
+    } else if (isToBeSeen(below)) {
+        place(composed, range.next, below.marks, false);
+    }
 }
 
 /// Of the base mesh, moved to the unit sphere; isWhole is false where it stands for more than itself.
@@ -258,11 +279,6 @@ bool Cut::isSmall(const Sphere &sphere) const
     return 2.0 * sphere.radius * m_projector.pixels < m_tolerance * distance;
 }
 
-bool Cut::isBehind(const Sphere &sphere) const
-{
-    return m_drawn && !m_drawn->isEmpty() && m_projector.isHidden(sphere, *m_drawn);
-}
-
 double Cut::distanceTo(const Sphere &sphere) const
 {
     return m_projector.projection == Projection::Perspective ? glm::length(sphere.centre) : sphere.centre.z;
@@ -278,14 +294,18 @@ void Cut::sortFrom(std::size_t first)
 void Cut::forgetStates()
 {
     std::vector<StateId> states;
-    states.reserve(m_open.size());
-    for (const Node &node : m_open) {
-        states.push_back(node.state);
+    states.reserve(m_open.size() + m_doubtful.size());
+    for (const std::vector<Node> *nodes : {&m_open, &m_doubtful}) {
+        std::ranges::transform(*nodes, std::back_inserter(states), &Node::state);
     }
     m_memory = std::max(m_memory, m_table.memoryUse());
     m_table.forgetAllBut(states);
-    for (std::size_t i = 0; i < m_open.size(); ++i) {
-        m_open[i].state = states[i];
+    m_boxes.clear();
+    auto state = states.begin();
+    for (std::vector<Node> *nodes : {&m_open, &m_doubtful}) {
+        for (Node &node : *nodes) {
+            node.state = *state++;
+        }
     }
 }
 

@@ -4,13 +4,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "camera.h"
 #include "core/fractal/statetable.h"
 #include "core/scene/anchor.h"
 #include "depthpyramid.h"
+#include "projector.h"
 #include "tint.h"
 
 namespace romanesco {
@@ -22,44 +23,14 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 48);
 
-/// How a camera maps what it sees to the screen, in units in which the scene and its distance are about 1, so that a
-/// scene of any size fits the card's floats.
-struct Projector {
-    Projector() = default;
-    /// nearby: round what is looked at, in the camera's coordinates; from its middle nothing is farther than reach.
-    Projector(const Camera &camera, const Sphere &nearby, double reach, int viewWidth, int viewHeight);
-
-    /// A node's own coordinates to the camera's, in units of the view. What is near the camera keeps its precision
-    /// however far from the origin both are.
-    [[nodiscard]] AffineMap cameraFrom(const AffineMap &hereFromNode) const;
-
-    Projection projection = Projection::Perspective;
-    /// The camera's place, and the world's axes to the camera's in units of the view.
-    glm::dvec3 position{0.0};
-    glm::dmat3 cameraFromHere{1.0};
-    double unit = 1.0;
-    /// Clip x and y for each unit sideways: at distance 1 for perspective.
-    double scaleX = 1.0;
-    double scaleY = 1.0;
-    /// Perspective: nothing nearer is drawn. A hundred-thousandth of the scene's size and distance.
-    double near = 1e-5;
-    /// Orthographic: depth runs over ±range, in logarithms where that is long.
-    double range = 1.0;
-    [[nodiscard]] bool isDeep() const { return projection == Projection::Orthographic && range > longRange; }
-    /// Pixels for each unit sideways, at distance 1 for perspective.
-    double pixels = 1.0;
-    /// Of the picture, in pixels; and how far its pixels are shifted, in clip coordinates.
-    int width = 0;
-    int height = 0;
-    glm::dvec2 jitter{0.0};
-
-    /// Whether a sphere in the camera's axes lies wholly behind what is drawn.
-    [[nodiscard]] bool isHidden(const Sphere &sphere, const DepthPyramid &drawn) const;
-
-private:
-    static constexpr double longRange = 100.0;
-
-    [[nodiscard]] double depthOf(double z) const;
+/// What tells a cut which copies need not be drawn.
+struct Depths {
+    /// Of this picture, as far as it was looked at: what lies behind is left out.
+    DepthPyramid drawn;
+    /// Of one much like it: what lies behind is likely to be hidden, and is put off until the rest is drawn.
+    DepthPyramid before;
+    /// How often this picture was looked at.
+    unsigned looks = 0;
 };
 
 /// The copies of a model to draw for a view: the graph walked from some nodes, its root or what surrounds a place deep
@@ -81,9 +52,9 @@ public:
     /// From the next begin() on: how copies are coloured.
     void setTinter(Tinter tinter) { m_tinter = std::move(tinter); }
 
-    /// From now on what lies behind all that is drawn is left out, and what is near comes before what is far; null leaves
-    /// out nothing. The pyramid may become another between calls of next(), but only nearer.
-    void setDrawn(const DepthPyramid *drawn) { m_drawn = drawn; }
+    /// From now on what is hidden is left out, and what is near comes before what is far; null leaves out nothing. What
+    /// is drawn may come nearer between calls of next(), and nothing else may change until the cut is complete.
+    void setDepths(const Depths *depths) { m_depths = depths; }
 
     /// The next copies, about `count` of them: more where one state has more children, fewer or none where much was
     /// walked without finding any, so that each call is short. The reference holds until the next call.
@@ -96,6 +67,10 @@ public:
 
     [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
     [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }
+    /// Copies, with all below them, that were left out.
+    [[nodiscard]] std::uint64_t hiddenCount() const { return m_hidden; }
+    /// Whether much was put off, and it would be good to know what is drawn.
+    [[nodiscard]] bool isInDoubt() const { return m_isRestInDoubt || m_doubtful.size() >= mostDoubtful; }
     /// Greatest number of bytes held since begin().
     [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
     /// Bytes held now.
@@ -104,7 +79,10 @@ public:
     void forget();
 
 private:
-    /// A copy of a state that is in view and too large to stand as one.
+    /// More are walked at once.
+    static constexpr std::size_t mostDoubtful = 100'000;
+
+    /// A copy of a state that is in view.
     struct Node {
         StateId state;
         /// Planes that its bound may cross.
@@ -115,6 +93,9 @@ private:
         Marks marks;
         /// From the camera to the middle of its bound.
         double distance;
+        /// Stands as one.
+        bool isSmall;
+        bool mayBePutOff;
     };
     struct Plane {
         glm::dvec3 normal;
@@ -122,19 +103,29 @@ private:
     };
 
     void addRoot(const Surroundings::Node &node);
+    void sift();
+    void takeUp(std::size_t count);
+    [[nodiscard]] bool isToBeSeen(const Node &node);
+    [[nodiscard]] const Box &boxOf(StateId state);
     void visit(const Node &node);
     void addChild(const Node &node, const ChildRange &range, std::uint32_t map, const Sphere &bound);
     void place(const AffineMap &map, StateId state, const Marks &marks, bool isWhole);
     [[nodiscard]] bool isOutside(const Sphere &sphere, unsigned &planes) const;
     [[nodiscard]] bool isSmall(const Sphere &sphere) const;
-    [[nodiscard]] bool isBehind(const Sphere &sphere) const;
     [[nodiscard]] double distanceTo(const Sphere &sphere) const;
     void sortFrom(std::size_t first);
     void forgetStates();
 
     const Model &m_model;
     StateTable m_table;
+    /// By state; none where nobody asked.
+    std::vector<std::optional<Box>> m_boxes;
     std::vector<Node> m_open;
+    /// Put off until all else is drawn.
+    std::vector<Node> m_doubtful;
+    bool m_isRestInDoubt = false;
+    /// The look after which those were gone through.
+    unsigned m_siftedAt = 0;
     std::vector<Instance> m_ready;
     std::vector<Tint> m_tints;
     Tinter m_tinter;
@@ -144,7 +135,8 @@ private:
     bool m_handedOut = false;
     std::uint64_t m_instances = 0;
     std::uint64_t m_visited = 0;
-    const DepthPyramid *m_drawn = nullptr;
+    std::uint64_t m_hidden = 0;
+    const Depths *m_depths = nullptr;
     std::size_t m_memory = 0;
 };
 

@@ -11,7 +11,7 @@ namespace romanesco {
 
 namespace {
 
-constexpr int firstSide = 4;
+constexpr int firstSide = 1;
 /// Squares a side of a rectangle covers at the level that is looked at.
 constexpr int mostSquares = 4;
 
@@ -42,8 +42,12 @@ void DepthPyramid::build(std::span<const float> depths, int width, int height)
     }
 }
 
-bool DepthPyramid::isHidden(double left, double bottom, double right, double top, double nearest) const
+bool DepthPyramid::isHidden(const Footprint &footprint) const
 {
+    if (m_levels.empty()) {
+        return false;
+    }
+    const auto &[left, bottom, right, top, nearest] = footprint;
     double side = firstSide;
     std::size_t number = 0;
     while (number + 1 < m_levels.size() && std::max(right - left, top - bottom) > (mostSquares - 1) * side) {

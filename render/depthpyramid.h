@@ -7,6 +7,15 @@
 
 namespace romanesco {
 
+/// Where something may be seen: a rectangle of pixels, both ends included, and the depth that nothing of it is nearer than.
+struct Footprint {
+    double left;
+    double bottom;
+    double right;
+    double top;
+    double nearest;
+};
+
 /// How far a picture can be seen into: of squares of pixels, by powers of two, the farthest depth that is drawn there. What
 /// lies behind it all over cannot be seen (Greene, Kass and Miller 1993). Depths are reversed: 1 near, 0 far.
 class DepthPyramid
@@ -17,9 +26,9 @@ public:
     void clear() { m_levels.clear(); }
     [[nodiscard]] bool isEmpty() const { return m_levels.empty(); }
 
-    /// Whether something is hidden that lies within a rectangle of pixels, both ends included, and nowhere nearer than a
-    /// depth. What reaches out of the picture is judged by what is inside. At most sixteen squares are looked at.
-    [[nodiscard]] bool isHidden(double left, double bottom, double right, double top, double nearest) const;
+    /// What reaches out of the picture is judged by what is inside. At most sixteen squares are looked at. Where nothing
+    /// was built nothing is hidden.
+    [[nodiscard]] bool isHidden(const Footprint &footprint) const;
 
     [[nodiscard]] std::size_t memoryUse() const;
 
@@ -30,7 +39,7 @@ private:
         std::vector<float> farthest;
     };
 
-    /// The first is of squares of 4 pixels a side, each next of twice that.
+    /// The first is of squares of 2 pixels a side, each next of twice that.
     std::vector<Level> m_levels;
 };
 

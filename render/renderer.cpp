@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <format>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,6 +13,7 @@
 #include <epoxy/gl.h>
 
 #include "copyring.h"
+#include "depthlooks.h"
 #include "glresources.h"
 #include "gpuscene.h"
 #include "scenecut.h"
@@ -27,12 +27,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// Of one draw call. In software these take about ten milliseconds, which is how finely a slice can end.
-constexpr std::size_t mostFaces = 100'000;
+constexpr std::size_t mostFaces = 50'000;
 
-/// What is drawn is looked at when as many triangles are sent as cost about as much: a share of the pixels, at least some.
-constexpr std::uint64_t pixelsToTriangle = 8;
-constexpr std::uint64_t leastTriangles = 20'000;
-constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+/// The first picture is drawn roughly, then less so, to learn what will be hidden.
+constexpr double firstRoughness = 16.0;
+constexpr double roughnessStep = 4.0;
 
 /// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
 /// square evenly for every n. The only sample of one is the centre itself.
@@ -108,6 +107,8 @@ public:
             }
             m_pass = std::move(*target);
         }
+        m_looks.setSize(view.width, view.height);
+        m_roughness = m_cut && view.leavesOutHidden && m_looks.isFirst() ? firstRoughness : 1.0;
         beginPass();
     }
 
@@ -173,7 +174,7 @@ public:
     [[nodiscard]] DrawStatistics statistics() const
     {
         DrawStatistics statistics = m_statistics;
-        statistics.bufferBytes = CopyRing::bytes() + m_onCard.bytes();
+        statistics.bufferBytes = CopyRing::bytes() + m_onCard.bytes() + m_looks.memoryUse();
         statistics.graphBytes = m_cut ? m_cut->memoryUse() + m_graphBytes : 0;
         return statistics;
     }
@@ -204,17 +205,15 @@ private:
     void beginPass()
     {
         m_passStart = Clock::now();
-        m_sent = 0;
         m_isDrawn = false;
         if (m_cut) {
             m_projector.emplace(m_view.camera, m_surroundings->nearby, m_surroundings->reach, m_view.width,
                                 m_view.height);
             const auto [x, y] = samplePlace(m_passes, m_view.samples);
             m_projector->jitter = {2.0 * x / m_view.width, 2.0 * y / m_view.height};
-            m_drawn.clear();
-            m_nextLook = m_view.leavesOutHidden ? trianglesBeforeLook() : never;
-            m_cut->setDrawn(m_view.leavesOutHidden ? &m_drawn : nullptr);
-            m_cut->begin(*m_projector, m_surroundings, m_view.pixelTolerance, m_view.appearance.colours);
+            m_looks.begin();
+            m_cut->setDepths(m_view.leavesOutHidden ? &m_looks.depths() : nullptr);
+            m_cut->begin(*m_projector, m_surroundings, m_roughness * m_view.pixelTolerance, m_view.appearance.colours);
         }
         if (m_cut) {
             const Surfaces::Pass pass{*m_projector, static_cast<unsigned>(m_passes)};
@@ -232,13 +231,18 @@ private:
     void drawChunk()
     {
         if (!m_cut || m_cut->isComplete()) {
+            if (m_cut && m_view.leavesOutHidden) {
+                m_looks.finish(*m_cut, m_pass.framebuffer);
+            }
             m_isDrawn = true;
             glDeleteSync(m_passFence);
             m_passFence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
             glFlush();
             return;
         }
-        lookIfDue();
+        if (m_view.leavesOutHidden) {
+            m_looks.lookIfDue(*m_cut, m_pass.framebuffer);
+        }
         const Model &model = m_cut->model();
         const std::size_t faces = model.mesh->faces.size();
         const std::size_t copiesPerDraw = std::clamp<std::size_t>(mostFaces / (faces + 1), 1, CopyRing::chunkSize);
@@ -256,28 +260,8 @@ private:
             m_surfaces.draw(m_onCard, model, first, count, hasTints);
             m_ring.sent();
         }
-        m_sent += copies.size() * faces;
+        m_looks.sent(copies.size() * faces);
         glFlush();
-    }
-
-    [[nodiscard]] std::uint64_t trianglesBeforeLook() const
-    {
-        const auto pixels = static_cast<std::uint64_t>(m_view.width) * static_cast<std::uint64_t>(m_view.height);
-        return std::max(leastTriangles, pixels / pixelsToTriangle);
-    }
-
-    /// Now and then what is drawn tells what need not be: each time twice as much has been sent.
-    void lookIfDue()
-    {
-        if (m_sent < m_nextLook) {
-            return;
-        }
-        m_nextLook = std::max(2 * m_sent, m_sent + trianglesBeforeLook());
-        m_depths.resize(static_cast<std::size_t>(m_pass.width) * static_cast<std::size_t>(m_pass.height));
-        glBindFramebuffer(GL_FRAMEBUFFER, m_pass.framebuffer);
-        glPixelStorei(GL_PACK_ALIGNMENT, 4);
-        glReadPixels(0, 0, m_pass.width, m_pass.height, GL_DEPTH_COMPONENT, GL_FLOAT, m_depths.data());
-        m_drawn.build(m_depths, m_pass.width, m_pass.height);
     }
 
     void bindForDrawing() const
@@ -306,6 +290,12 @@ private:
 
     void finishPass()
     {
+        if (m_roughness > 1.0) {
+            const bool isDense = !m_looks.depths().before.isEmpty();
+            m_roughness = isDense ? m_roughness / roughnessStep : 1.0;
+            beginPass();
+            return;
+        }
         const bool isFirst = m_passes == 0;
         if (isFirst && (m_sum.width != m_pass.width || m_sum.height != m_pass.height)) {
             auto target = makeTarget(m_pass.width, m_pass.height, GL_RGBA32F, false);
@@ -350,6 +340,8 @@ private:
 
     int m_passes = 0;
     bool m_isDrawn = false;
+    /// Times the tolerance; above 1 the pass is for its depth alone.
+    double m_roughness = 1.0;
     int m_sumCount = 0;
     Clock::time_point m_passStart;
     DrawStatistics m_statistics;
@@ -361,11 +353,7 @@ private:
     GpuScene m_onCard;
     Surfaces m_surfaces;
     std::size_t m_graphBytes = 0;
-    DepthPyramid m_drawn;
-    std::vector<float> m_depths;
-    /// Triangles of this pass, and how many there are before what is drawn is looked at.
-    std::uint64_t m_sent = 0;
-    std::uint64_t m_nextLook = 0;
+    DepthLooks m_looks;
     GLsync m_passFence = nullptr;
     Target m_pass;
     Target m_sum;

@@ -50,6 +50,7 @@ void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundi
     m_isItemBegun = false;
     m_instances = 0;
     m_visited = 0;
+    m_hidden = 0;
     std::ranges::sort(m_runs, {}, [&](const auto &run) { return nearestOf(run); });
     m_memory = m_bytes;
 }
@@ -61,7 +62,15 @@ const std::vector<Instance> &SceneCut::next(std::size_t count)
     if (!std::exchange(m_isItemBegun, true)) {
         beginItem(part.cut);
     }
+    // The counts of a cut that begins are none.
+    m_instances -= part.cut.instanceCount();
+    m_visited -= part.cut.statesVisited();
+    m_hidden -= part.cut.hiddenCount();
     const std::vector<Instance> &instances = part.cut.next(count);
+    m_instances += part.cut.instanceCount();
+    m_visited += part.cut.statesVisited();
+    m_hidden += part.cut.hiddenCount();
+    m_isInDoubt = part.cut.isInDoubt();
     m_tints = &part.cut.tints();
     const std::size_t others = m_bytes - part.bytes;
     m_memory = std::max(m_memory, others + part.cut.memoryUse());
@@ -86,10 +95,10 @@ double SceneCut::nearestOf(std::span<const Surroundings::Node> nodes) const
     return nearest;
 }
 
-void SceneCut::setDrawn(const DepthPyramid *drawn)
+void SceneCut::setDepths(const Depths *depths)
 {
     for (Part &part : m_parts) {
-        part.cut.setDrawn(drawn);
+        part.cut.setDepths(depths);
     }
 }
 
@@ -106,8 +115,6 @@ void SceneCut::beginItem(Cut &cut)
 void SceneCut::finishItem()
 {
     Part &part = m_parts[m_partOf[item()]];
-    m_instances += part.cut.instanceCount();
-    m_visited += part.cut.statesVisited();
     if (m_parts.size() > 1 && m_bytes > mostBytesAtRest) {
         m_spent = &part; // its copies are still looked at
     }

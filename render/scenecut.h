@@ -24,8 +24,8 @@ public:
     void begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings, double pixelTolerance,
                const CopyColours &colours = {});
 
-    /// See Cut::setDrawn().
-    void setDrawn(const DepthPyramid *drawn);
+    /// See Cut::setDepths().
+    void setDepths(const Depths *depths);
 
     /// Nothing is left to be found.
     [[nodiscard]] bool isComplete() const { return m_runs.empty(); }
@@ -37,9 +37,13 @@ public:
     /// Beside those; empty where copies have no colours of their own. Holds as long.
     [[nodiscard]] const std::vector<Tint> &tints() const { return *m_tints; }
 
+    /// See Cut::isInDoubt().
+    [[nodiscard]] bool isInDoubt() const { return m_isInDoubt; }
+
     /// Since begin(), of all items.
     [[nodiscard]] std::uint64_t instanceCount() const { return m_instances; }
     [[nodiscard]] std::uint64_t statesVisited() const { return m_visited; }
+    [[nodiscard]] std::uint64_t hiddenCount() const { return m_hidden; }
     /// Greatest number of bytes held since begin().
     [[nodiscard]] std::size_t memoryUse() const { return m_memory; }
 
@@ -72,6 +76,8 @@ private:
     const std::vector<Tint> *m_tints = nullptr;
     std::uint64_t m_instances = 0;
     std::uint64_t m_visited = 0;
+    std::uint64_t m_hidden = 0;
+    bool m_isInDoubt = false;
     std::size_t m_bytes = 0;
     std::size_t m_memory = 0;
 };
