@@ -60,7 +60,7 @@ void StatusLine::setDrawn(const DrawStatistics &statistics, double pixelToleranc
     m_drawn->setText(tr("%1 drawn · %2 ms · tolerance %3 px")
                          .arg(locale.toString(static_cast<qulonglong>(statistics.instances)),
                               locale.toString(statistics.milliseconds, 'f', statistics.milliseconds < 10 ? 1 : 0),
-                              locale.toString(pixelTolerance)));
+                              locale.toString(pixelTolerance, 'g', 2)));
     m_drawn->setToolTip(tr("Copies drawn, the time of one pass over the scene, and the size on the screen below which "
                            "copies are drawn as one"));
 }

@@ -23,7 +23,6 @@ constexpr auto slice = 25ms;
 /// The camera counts as moving until it has rested so long.
 constexpr auto restAfter = 150ms;
 
-constexpr double coarseTolerance = 4.0;
 constexpr double fineTolerance = 1.0;
 constexpr int fineSamples = 8;
 /// Where the screen's own pixels are so small, half of them do.
@@ -208,11 +207,26 @@ void Viewport::beginPictureIfDue()
     const Request wanted = request();
     // A picture of which nothing is to be seen yet is finished first, lest a slow machine never show anything; except
     // that a fine one makes way for a coarse one, which is quickly there and stays.
-    const bool isHidden = m_begun && !m_renderer->isFinished() && m_renderer->finishedSamples() == 0;
-    const bool makesWay = !isHidden || wanted.pixelTolerance > m_begun->pixelTolerance;
-    if (!m_isSceneNew && (m_begun == wanted || !makesWay)) {
-        return;
+    const bool makesWay = !isNothingSeenYet() || (wanted.isCoarse && !m_begun->isCoarse);
+    const bool isGivenUp = isNothingSeenYet() && m_begun->isCoarse && m_dragTolerance.givesUp(drawnFor());
+    if (m_isSceneNew || isGivenUp || (m_begun != wanted && makesWay)) {
+        begin(wanted);
     }
+}
+
+bool Viewport::isNothingSeenYet() const
+{
+    return m_begun && !m_renderer->isFinished() && m_renderer->finishedSamples() == 0;
+}
+
+/// The picture under way or finished last, in milliseconds.
+double Viewport::drawnFor() const
+{
+    return double(m_sinceBegun.nsecsElapsed()) * 1e-6;
+}
+
+void Viewport::begin(const Request &wanted)
+{
     if (m_isSceneNew) {
         m_isSceneNew = false;
         m_renderer->setScene(m_scene);
@@ -223,10 +237,12 @@ void Viewport::beginPictureIfDue()
     view.appearance = m_appearance;
     view.width = wanted.width;
     view.height = wanted.height;
-    view.pixelTolerance = wanted.pixelTolerance;
+    view.pixelTolerance = wanted.isCoarse ? m_dragTolerance.pixels() : fineTolerance;
     view.samples = wanted.samples;
     m_renderer->begin(view);
+    m_sinceBegun.start();
     m_begun = wanted;
+    m_begunTolerance = view.pixelTolerance;
     m_announcedSamples = 0;
     m_isFinishAnnounced = false;
 }
@@ -237,10 +253,12 @@ void Viewport::announceProgress()
         m_announcedSamples = m_renderer->finishedSamples();
         update();
         const DrawStatistics statistics = m_renderer->statistics();
-        if (m_begun->pixelTolerance == fineTolerance) {
+        if (m_begun->isCoarse) {
+            m_dragTolerance.finished(drawnFor());
+        } else {
             m_fineMilliseconds = statistics.milliseconds;
         }
-        Q_EMIT pictureAdvanced(statistics, m_begun->pixelTolerance);
+        Q_EMIT pictureAdvanced(statistics, m_begunTolerance);
     }
     if (m_renderer->isFinished() && !std::exchange(m_isFinishAnnounced, true)) {
         Q_EMIT pictureFailed(QString::fromStdString(m_renderer->error()));
@@ -275,8 +293,8 @@ Viewport::Request Viewport::request() const
     const qreal ratio = devicePixelRatioF();
     const bool isCoarse = isMoving();
     const int samples = ratio >= 1.5 ? fineSamplesOnDenseScreens : fineSamples;
-    return {m_cameraRevision, std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)),
-            isCoarse ? coarseTolerance : fineTolerance, isCoarse ? 1 : samples};
+    return {m_cameraRevision, std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)), isCoarse,
+            isCoarse ? 1 : samples};
 }
 
 bool Viewport::isMoving() const

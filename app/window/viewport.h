@@ -5,10 +5,12 @@
 #include <memory>
 #include <optional>
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
 #include <QTimer>
 
 #include "core/base/newestjob.h"
+#include "render/dragtolerance.h"
 #include "render/renderer.h"
 #include "render/sceneview.h"
 
@@ -80,7 +82,8 @@ private:
         quint64 cameraRevision;
         int width;
         int height;
-        double pixelTolerance;
+        /// While the camera moves: as exact as there is time for.
+        bool isCoarse;
         int samples;
         bool operator==(const Request &) const = default;
     };
@@ -95,6 +98,9 @@ private:
     [[nodiscard]] bool hasNothingToDraw() const;
     void startView();
     void beginPictureIfDue();
+    void begin(const Request &wanted);
+    [[nodiscard]] bool isNothingSeenYet() const;
+    [[nodiscard]] double drawnFor() const;
     void announceProgress();
     void cameraChanged();
     [[nodiscard]] Request request() const;
@@ -119,6 +125,9 @@ private:
     QTimer m_drawing;
 
     std::optional<Request> m_begun;
+    double m_begunTolerance = 0.0;
+    QElapsedTimer m_sinceBegun;
+    DragTolerance m_dragTolerance;
     int m_announcedSamples = 0;
     bool m_isFinishAnnounced = false;
     /// How long one pass of the last fine picture took.
