@@ -27,6 +27,8 @@ struct Camera {
 
 /// As an .sdo gives it.
 [[nodiscard]] Camera cameraOf(const SceneDescription::Camera &written);
+/// The other way round, without a range.
+[[nodiscard]] SceneDescription::Camera writtenOf(const Camera &camera);
 
 /// The view that a picture of a scene starts with: the scene's own, or fitted. aspect is width by height.
 [[nodiscard]] Camera startCamera(const Scene &scene, double aspect);

@@ -24,17 +24,17 @@ glm::dmat3 levelRotation(double yaw, double pitch)
 
 }
 
-void OrbitCamera::start(const Camera &camera, const Scene &scene)
+void OrbitCamera::start(const Camera &camera, const Sphere &nearby)
 {
     m_camera = camera;
-    m_nearbySize = glm::length(scene.extent.size());
+    m_nearbySize = 2.0 * nearby.radius;
     const glm::dmat3 &axes = camera.worldFromCamera;
     m_yaw = std::atan2(axes[2].x, axes[2].z);
     m_pitch = std::asin(std::clamp(axes[2].y, -1.0, 1.0));
     const glm::dmat3 level = levelRotation(m_yaw, m_pitch);
     m_roll = std::atan2(glm::dot(axes[0], level[1]), glm::dot(axes[0], level[0]));
 
-    double away = glm::dot(scene.extent.centre() - camera.position, axes[2]);
+    double away = glm::dot(nearby.centre - camera.position, axes[2]);
     if (away < 1e-3 * m_nearbySize || away <= 0.0) {
         away = m_nearbySize > 0.0 ? m_nearbySize : 1.0;
     }

@@ -16,7 +16,7 @@ class OrbitCamera
 public:
     /// Starts from a camera as it is. The pivot is the point of its axis that is nearest to the middle of the scene, or as
     /// far away as the scene is large where the camera has that behind it. A camera that is rolled stays so as it orbits.
-    void start(const Camera &camera, const Scene &scene);
+    void start(const Camera &camera, const Sphere &nearby);
     /// Looks at the whole scene from the direction that the program starts with.
     void fit(const Scene &scene, double aspect);
     /// The same direction, the whole scene in view.

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "sceneview.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -38,13 +39,50 @@ void SceneView::setScene(std::shared_ptr<const Scene> scene)
 
 void SceneView::start(double aspect)
 {
-    toWorld();
-    if (m_scene->camera) {
-        m_orbit.start(cameraOf(*m_scene->camera), *m_scene);
-    } else {
-        m_orbit.fit(*m_scene, aspect);
+    if (m_scene->view && startFrom(*m_scene->view)) {
+        return;
     }
+    if (m_scene->camera) {
+        start(cameraOf(*m_scene->camera));
+        return;
+    }
+    toWorld();
+    m_orbit.fit(*m_scene, aspect);
     follow();
+}
+
+void SceneView::start(const Camera &camera)
+{
+    toWorld();
+    m_orbit.start(camera, m_surroundings->nearby);
+    follow();
+}
+
+/// False where the way to its place is not there.
+bool SceneView::startFrom(const SavedView &view)
+{
+    toWorld();
+    if (view.place) {
+        const auto enter = [&](const Step &step) { return m_anchor->enter(step); };
+        if (!enter({0, static_cast<std::uint32_t>(view.place->item)})
+            || !std::ranges::all_of(view.place->steps, enter)) {
+            return false;
+        }
+    }
+    settle();
+    m_orbit.start(cameraOf(view.camera), m_surroundings->nearby);
+    m_orbit.setNearby(2.0 * m_surroundings->nearby.radius, m_anchor->isInWorld());
+    return true;
+}
+
+SavedView SceneView::saved() const
+{
+    SavedView view;
+    if (!m_anchor->isInWorld()) {
+        view.place = {m_surroundings->pathItem, m_surroundings->path};
+    }
+    view.camera = writtenOf(camera());
+    return view;
 }
 
 void SceneView::refit(double aspect)

@@ -21,8 +21,11 @@ public:
     /// along them as they go. Null shows nothing.
     void setScene(std::shared_ptr<const Scene> scene);
 
-    /// The view that a scene begins with: from its own camera, or all of it.
+    /// The view that a scene begins with: the one that was saved, as far as the way to it is there; or from its own camera;
+    /// or all of it.
     void start(double aspect);
+    /// From a camera in the world.
+    void start(const Camera &camera);
     /// All of the scene, from where the camera looks now.
     void refit(double aspect);
 
@@ -49,6 +52,9 @@ public:
     /// Copies narrower than a share of the view's height are found as they are drawn, several as one. Costs microseconds.
     [[nodiscard]] std::optional<Picked> pick(const glm::dvec2 &pointer, double share) const;
 
+    /// To begin with another time; there is a scene. The depth is the text's.
+    [[nodiscard]] SavedView saved() const;
+
     /// In the coordinates of surroundings().
     [[nodiscard]] const Camera &camera() const { return m_orbit.camera(); }
     [[nodiscard]] const glm::dvec3 &pivot() const { return m_orbit.pivot(); }
@@ -57,6 +63,7 @@ public:
 
 private:
     void toWorld();
+    [[nodiscard]] bool startFrom(const SavedView &view);
     void follow();
     void settle();
 

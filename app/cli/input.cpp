@@ -3,7 +3,6 @@
 #include "input.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <map>
 #include <mutex>
@@ -15,7 +14,7 @@
 
 #include "commandline.h"
 #include "core/base/file.h"
-#include "core/formats/fdoreader.h"
+#include "core/scene/depthchange.h"
 #include "core/scene/sceneloader.h"
 #include "core/text/linemap.h"
 #include "core/text/places.h"
@@ -46,28 +45,10 @@ std::expected<QStringList, int> parsed(QCommandLineParser &parser, const char *c
     return parser.positionalArguments();
 }
 
-/// The disk, with what --depth asks for: every .fdo text has another depth in it, so that everything after sees ordinary
-/// texts. Keeps a list of what is read.
+/// The files of the disk; keeps count of what was read.
 class InputFiles final : public FileAccess
 {
 public:
-    /// No digits for no change.
-    explicit InputFiles(std::string digits)
-        : m_digits(std::move(digits))
-    {
-    }
-
-    [[nodiscard]] std::string changed(std::string text) const
-    {
-        const FdoResult read = m_digits.empty() ? FdoResult() : readFdo(text);
-        if (!read.description || !read.description->depth) {
-            return text; // where it has errors they are told in a moment
-        }
-        m_hasChanged = true;
-        const SourceRange range = read.description->depth->range;
-        return text.replace(range.begin, range.length(), m_digits);
-    }
-
     [[nodiscard]] std::expected<std::string, std::string> read(const std::filesystem::path &path) const override
     {
         auto text = DiskFiles().read(path);
@@ -75,7 +56,7 @@ public:
             const std::lock_guard lock(m_mutex);
             m_read.insert_or_assign(path, text->size());
         }
-        return text && fileKind(path) == FileKind::Fdo ? changed(std::move(*text)) : text;
+        return text;
     }
 
     [[nodiscard]] std::expected<void, std::string> check(const std::filesystem::path &path) const override
@@ -86,12 +67,7 @@ public:
     /// Paths, and the bytes of each.
     [[nodiscard]] const std::map<std::filesystem::path, std::uint64_t> &read() const { return m_read; }
 
-    /// Whether a change is wanted and there was nothing to change.
-    [[nodiscard]] bool isInVain() const { return !m_digits.empty() && !m_hasChanged; }
-
 private:
-    std::string m_digits;
-    mutable std::atomic<bool> m_hasChanged = false;
     mutable std::mutex m_mutex;
     mutable std::map<std::filesystem::path, std::uint64_t> m_read;
 };
@@ -175,7 +151,8 @@ std::expected<std::string, std::string> readText(const QString &file)
     return input.readAll().toStdString();
 }
 
-std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser, ImageDecoder decoder)
+std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser, ImageDecoder decoder,
+                                    Depths depths)
 {
     const std::filesystem::path path = pathOf(file);
     const std::string shown = shownName(file);
@@ -194,14 +171,21 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
         return std::unexpected(depth.error());
     }
     Input input{nullptr, {path}, text->size(), kind == FileKind::Sdo};
-    const InputFiles files(*depth);
+    const auto view = depths == Depths::AsViewed ? findView(*text) : std::nullopt;
+    const bool isEndless = depths == Depths::Endless || (view && view->first.isEndless && depth->empty());
+    const InputFiles files;
+    const DepthChange deepened(files, isEndless ? DepthChange::endless : *depth);
     if (kind == FileKind::Fdo) {
-        text = files.changed(std::move(*text));
+        text = deepened.changed(std::move(*text));
     }
-    SceneResult result = SceneLoader(files, std::move(decoder)).load(path, *text);
-    if (result.scene && files.isInVain()) {
-        complain(QStringLiteral("--depth needs a depth in the file, as in \"<$>. z 6\""));
+    SceneResult result = SceneLoader(deepened, std::move(decoder)).load(path, *text);
+    if (result.scene && deepened.isInVain()) {
+        complain(QStringLiteral("%1 needs a depth in the file, as in \"<$>. z 6\"").arg(QLatin1String(isEndless ? "--endless" : "--depth")));
         return std::unexpected(WrongUsage);
+    }
+    if (result.scene && isEndless && !isConvergent(*result.scene)) {
+        complain(QStringLiteral("%1: --endless needs transformations that shrink what they repeat").arg(file));
+        return std::unexpected(BadInput);
     }
     const LineMap lines(*text);
     Places places(lines);

@@ -12,6 +12,7 @@
 
 #include "address.h"
 #include "fractalgraph.h"
+#include "step.h"
 
 namespace romanesco {
 
@@ -38,13 +39,6 @@ struct ChildRange {
     std::uint32_t firstMap;
     std::uint32_t endMap;
     StateId next;
-};
-
-/// A map of a set, as the way from a state to its child.
-struct Step {
-    SetId set = 0;
-    std::uint32_t map = 0;
-    bool operator==(const Step &) const = default;
 };
 
 /// The children of a state, each canonical continuation once, in a fixed order.

@@ -23,6 +23,9 @@ glm::dmat3 rotationFrom(const CosSin &x, const CosSin &y, const CosSin &z)
     return pitch * yaw * roll;
 }
 
+/// Closer to straight up nothing is left of the angle about that axis.
+constexpr double leastLevel = 1e-12;
+
 }
 
 CosSin cosSinOfDegrees(double degrees)
@@ -54,6 +57,17 @@ glm::dmat3 rotationFromRadians(const glm::dvec3 &radians)
 {
     const auto of = [](double angle) { return CosSin{std::cos(angle), std::sin(angle)}; };
     return rotationFrom(of(radians.x), of(radians.y), of(radians.z));
+}
+
+glm::dvec3 radiansOf(const glm::dmat3 &rotation)
+{
+    const auto at = [&](int row, int column) { return rotation[column][row]; };
+    const double level = std::hypot(at(0, 0), at(0, 1));
+    const double yaw = std::atan2(-at(0, 2), level);
+    if (level < leastLevel) {
+        return {std::atan2(std::copysign(at(1, 0), at(1, 0) * yaw), at(1, 1)), yaw, 0.0};
+    }
+    return {std::atan2(at(1, 2), at(2, 2)), yaw, std::atan2(at(0, 1), at(0, 0))};
 }
 
 }

@@ -21,4 +21,8 @@ struct CosSin {
 /// The same from angles in radians, of any size.
 [[nodiscard]] glm::dmat3 rotationFromRadians(const glm::dvec3 &radians);
 
+/// The angles of a rotation in radians: yaw within ±π/2, the others within ±π. Where yaw is straight up or down all of
+/// the turn about that axis is pitch, and roll is 0.
+[[nodiscard]] glm::dvec3 radiansOf(const glm::dmat3 &rotation);
+
 }

@@ -10,6 +10,7 @@
 #include "core/formats/fractaldescription.h"
 #include "core/formats/scenedescription.h"
 #include "model.h"
+#include "savedview.h"
 
 namespace romanesco {
 
@@ -32,6 +33,8 @@ struct Scene {
     std::vector<SceneItem> items;
     /// Without one the view is fitted.
     std::optional<SceneDescription::Camera> camera;
+    /// Goes before the camera.
+    std::optional<SavedView> view;
     std::vector<SceneDescription::Light> lights;
     /// Holds all items; all zero where there is nothing.
     Box extent;

@@ -19,6 +19,16 @@ FileKind fileKind(const std::filesystem::path &path)
                                      : FileKind::Other;
 }
 
+namespace {
+
+std::optional<SavedView> viewIn(std::string_view text)
+{
+    auto found = findView(text);
+    return found ? std::optional(std::move(found->first)) : std::nullopt;
+}
+
+}
+
 SceneLoader::SceneLoader(const FileAccess &files, ImageDecoder decoder)
     : m_library(files, std::move(decoder))
 {
@@ -63,6 +73,7 @@ SceneResult SceneLoader::loadFdo(const std::filesystem::path &folder, std::strin
     if (fractal.model) {
         Scene scene = sceneOf(std::move(fractal.model));
         scene.depth = fractal.depth;
+        scene.view = viewIn(text);
         result.scene = std::make_shared<const Scene>(std::move(scene));
     }
     return result;
@@ -108,6 +119,7 @@ SceneResult SceneLoader::loadSdo(const std::filesystem::path &folder, std::strin
         result.diagnostics.push_back({DiagnosticCode::Overflow, scene.camera->range, {}});
     }
     if (!hasErrors(result.diagnostics) && !stop.stop_requested()) {
+        scene.view = viewIn(text);
         scene.lights = description.lights;
         scene.extent = extentOf(scene.items);
         result.scene = std::make_shared<const Scene>(std::move(scene));

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "savedview.h"
+
+#include <algorithm>
+#include <charconv>
+#include <format>
+
+#include "core/formats/sdosyntax.h"
+
+namespace romanesco {
+
+namespace {
+
+constexpr std::string_view opening = "# view: ";
+/// A repetition of more than an anchor goes down is no view that was saved.
+constexpr std::size_t mostSteps = 1'000'000;
+
+std::string vectorWords(const glm::dvec3 &v)
+{
+    return std::format("({}, {}, {})", v.x, v.y, v.z);
+}
+
+std::string cameraWords(const SceneDescription::Camera &camera)
+{
+    return std::format("{} {} {} {}", vectorWords(camera.position), vectorWords(camera.rotation), camera.view,
+                       camera.isOrthographic ? "orthographic" : "perspective");
+}
+
+std::optional<SceneDescription::Camera> cameraFrom(std::string_view words)
+{
+    const std::string line = "c " + std::string(words);
+    const SdoLine read = parseSdoLine(line, 0);
+    const auto *camera = std::get_if<CameraLine>(&read.declaration);
+    if (!camera || read.isBad || hasErrors(read.diagnostics) || read.range.end != line.size()) {
+        return std::nullopt;
+    }
+    return SceneDescription::Camera{
+        camera->position.value, camera->rotation.value, camera->isOrthographic, camera->view.value, {}};
+}
+
+/// Takes an expected text off the front of the words.
+bool take(std::string_view &words, std::string_view expected)
+{
+    const bool isThere = words.starts_with(expected);
+    words.remove_prefix(isThere ? expected.size() : 0);
+    return isThere;
+}
+
+template<typename Number>
+std::optional<Number> takeNumber(std::string_view &words)
+{
+    Number number = 0;
+    const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
+    if (error != std::errc()) {
+        return std::nullopt;
+    }
+    words.remove_prefix(static_cast<std::size_t>(end - words.data()));
+    return number;
+}
+
+/// SET.MAP or SET.MAP*COUNT, and a blank.
+bool takeSteps(std::string_view &words, std::vector<Step> &steps)
+{
+    const auto set = takeNumber<std::uint32_t>(words);
+    if (!set || !take(words, ".")) {
+        return false;
+    }
+    const auto map = takeNumber<std::uint32_t>(words);
+    const auto count = take(words, "*") ? takeNumber<std::size_t>(words) : std::optional<std::size_t>(1);
+    if (!map || !count || *count > mostSteps - steps.size() || !take(words, " ")) {
+        return false;
+    }
+    steps.insert(steps.end(), *count, Step{*set, *map});
+    return true;
+}
+
+std::optional<SavedView> viewFrom(std::string_view line)
+{
+    SavedView view;
+    if (!take(line, opening)) {
+        return std::nullopt;
+    }
+    view.isEndless = take(line, "endless, ");
+    if (take(line, "in ")) {
+        const auto item = takeNumber<std::size_t>(line);
+        if (!item || !take(line, ": ")) {
+            return std::nullopt;
+        }
+        view.place = {*item, {}};
+        while (!take(line, "at ")) {
+            if (!takeSteps(line, view.place->steps)) {
+                return std::nullopt;
+            }
+        }
+    }
+    const auto camera = cameraFrom(line);
+    if (!camera) {
+        return std::nullopt;
+    }
+    view.camera = *camera;
+    return view;
+}
+
+}
+
+std::string cameraLine(const SceneDescription::Camera &camera)
+{
+    return "c " + cameraWords(camera);
+}
+
+std::string viewLine(const SavedView &view)
+{
+    std::string line(opening);
+    line += view.isEndless ? "endless, " : "";
+    if (view.place) {
+        line += std::format("in {}: ", view.place->item);
+        const std::vector<Step> &steps = view.place->steps;
+        for (auto step = steps.begin(); step != steps.end();) {
+            const auto end = std::find_if(step, steps.end(), [&](const Step &other) { return other != *step; });
+            line += std::format("{}.{}", step->set, step->map);
+            line += end - step > 1 ? std::format("*{} ", end - step) : " ";
+            step = end;
+        }
+        line += "at ";
+    }
+    return line + cameraWords(view.camera);
+}
+
+std::optional<std::pair<SavedView, SourceRange>> findView(std::string_view text)
+{
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
+        if (auto view = viewFrom(text.substr(begin, end - begin))) {
+            return std::pair(std::move(*view), SourceRange{begin, end});
+        }
+        begin = end + 1;
+    }
+    return std::nullopt;
+}
+
+}

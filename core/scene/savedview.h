@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/formats/scenedescription.h"
+#include "core/fractal/step.h"
+#include "core/text/sourcerange.h"
+
+namespace romanesco {
+
+/// How a scene is looked at from a place in it, as deep as it may be (a camera in world coordinates ends where copies are
+/// 1e-16 of the whole). A text keeps it in a comment, which other programs pass over:
+///
+///     # view: (1, 2, -9) (0, 0.5, 0) 60 perspective
+///     # view: endless, in 0: 0.3 0.7*12 1.4 at (0.1, 0, -0.2) (0, 0.5, 0) 60 perspective
+///
+/// The camera is written as in an .sdo; after `in` come the number of the item that the place lies in and the steps from
+/// its root as SET.MAP, in the order of the text and from 0, *COUNT where one is repeated.
+struct SavedView {
+    struct Place {
+        std::size_t item = 0;
+        std::vector<Step> steps;
+        bool operator==(const Place &) const = default;
+    };
+    /// The node that the camera is counted from, with the world's axes and its own unit (see Anchor); without one it is
+    /// the world.
+    std::optional<Place> place;
+    /// Without a range.
+    SceneDescription::Camera camera;
+    /// The depth is not the text's but without end.
+    bool isEndless = false;
+};
+
+/// As an .sdo has it, with all digits.
+[[nodiscard]] std::string cameraLine(const SceneDescription::Camera &camera);
+
+/// The comment, without a line end.
+[[nodiscard]] std::string viewLine(const SavedView &view);
+
+/// The first such comment of an .fdo or .sdo text, and where it is, without its line end. Any other comment is no view.
+[[nodiscard]] std::optional<std::pair<SavedView, SourceRange>> findView(std::string_view text);
+
+}
