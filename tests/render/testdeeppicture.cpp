@@ -1,56 +1,28 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
-#include <QFile>
 #include <QTest>
 #include <glm/geometric.hpp>
 
 #include "core/base/file.h"
+#include "drawing.h"
 #include "render/depthpyramid.h"
-#include "render/headless/eglcontext.h"
-#include "render/renderer.h"
 #include "render/sceneview.h"
-#include "scenes.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
+using namespace romanesco::test;
 
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
-
 View viewOf(const SceneView &from)
 {
-    View view;
-    view.camera = from.camera();
+    View view = plainView(from.camera());
     view.surroundings = from.surroundings();
-    view.width = width;
-    view.height = height;
-    view.backgroundTop = {0, 0, 1};
-    view.backgroundBottom = {0, 0, 1};
     return view;
-}
-
-double shareOfDifferent(const Picture &a, const Picture &b)
-{
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        different += std::abs(int(a.pixels[i]) - int(b.pixels[i])) > 8 ? 1 : 0;
-    }
-    return double(different) / double(a.pixels.size());
-}
-
-double shareOfBackground(const Picture &picture)
-{
-    std::size_t found = 0;
-    for (std::size_t i = 0; i < picture.pixels.size(); i += 3) {
-        found += picture.pixels[i] == 0 && picture.pixels[i + 1] == 0 && picture.pixels[i + 2] == 255 ? 1 : 0;
-    }
-    return 3.0 * double(found) / double(picture.pixels.size());
 }
 
 std::shared_ptr<const Scene> example(const std::string &name, const std::string &depth = {})
@@ -68,23 +40,11 @@ std::shared_ptr<const Scene> example(const std::string &name, const std::string 
 }
 
 /// Views that are counted from places inside.
-class TestDeepPicture : public QObject
+class TestDeepPicture : public DrawingTest
 {
     Q_OBJECT
 
-    std::unique_ptr<EglContext> m_context;
-    std::unique_ptr<Renderer> m_renderer;
-
-    Picture draw(const std::shared_ptr<const Scene> &scene, const View &view)
-    {
-        m_renderer->setScene(scene);
-        m_renderer->begin(view);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
-        return m_renderer->read();
-    }
-
 private Q_SLOTS:
-    void initTestCase();
     void placesInsideShowWhatTheWorldShows_data();
     void placesInsideShowWhatTheWorldShows();
     void spongesLookTheSameAtAnyDepth();
@@ -96,16 +56,6 @@ private Q_SLOTS:
     void denseScenesAreCheap();
     void pyramidsHideWhatIsBehindAllPixels();
 };
-
-void TestDeepPicture::initTestCase()
-{
-    auto context = EglContext::create();
-    QVERIFY2(context, context ? "" : context.error().c_str());
-    m_context = std::move(*context);
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer, renderer ? "" : renderer.error().c_str());
-    m_renderer = std::move(*renderer);
-}
 
 void TestDeepPicture::placesInsideShowWhatTheWorldShows_data()
 {
@@ -286,12 +236,9 @@ void TestDeepPicture::whatIsLeftOutIsNotSeen()
         view.leavesOutHidden = false;
         const Picture all = draw(scene, view);
         QVERIFY(sent <= m_renderer->statistics().instances);
-        std::size_t different = 0;
-        for (std::size_t j = 0; j < all.pixels.size(); ++j) {
-            different += all.pixels[j] != without.pixels[j] ? 1 : 0;
-        }
         // Where surfaces coincide the first that is drawn is seen, and what is near is drawn first.
-        QVERIFY2(double(different) <= 2e-3 * double(all.pixels.size()), qPrintable(QString::number(different)));
+        const double different = shareOfDifferent(all, without, 0);
+        QVERIFY2(different <= 2e-3, qPrintable(QString::number(different)));
         from.zoom(0.3, {0.1, 0.1});
     }
 }

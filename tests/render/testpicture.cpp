@@ -1,55 +1,18 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
+#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <functional>
 
 #include <QTest>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
-#include "render/headless/eglcontext.h"
-#include "render/renderer.h"
-#include "scenes.h"
+#include "drawing.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
+using namespace romanesco::test;
 
 namespace {
-
-constexpr int width = 320;
-constexpr int height = 240;
-
-struct Pixel {
-    int red;
-    int green;
-    int blue;
-    bool operator==(const Pixel &) const = default;
-};
-
-Pixel pixel(const Picture &picture, int x, int y)
-{
-    const std::size_t at =
-        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-    return {picture.pixels[at], picture.pixels[at + 1], picture.pixels[at + 2]};
-}
-
-/// Pure blue is no colour that the scene's surface takes.
-View plainView(const Camera &camera)
-{
-    View view;
-    view.camera = camera;
-    view.width = width;
-    view.height = height;
-    view.backgroundTop = {0.0f, 0.0f, 1.0f};
-    view.backgroundBottom = view.backgroundTop;
-    return view;
-}
-
-bool isBackground(const Pixel &p)
-{
-    return p == Pixel{0, 0, 255};
-}
 
 /// The least distance at which a ray meets the box ±half round the origin; inf if it does not. By slabs.
 double rayMeetsBox(const glm::dvec3 &origin, const glm::dvec3 &direction, double half)
@@ -65,65 +28,13 @@ double rayMeetsBox(const glm::dvec3 &origin, const glm::dvec3 &direction, double
     return enter <= leave ? enter : std::numeric_limits<double>::infinity();
 }
 
-double shareOfDifferentPixels(const Picture &a, const Picture &b, int threshold)
-{
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); i += 3) {
-        int difference = 0;
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            difference = std::max(difference, std::abs(int(a.pixels[i + channel]) - int(b.pixels[i + channel])));
-        }
-        different += difference > threshold ? 1 : 0;
-    }
-    return double(different) / double(a.pixels.size() / 3);
 }
 
-double shareOfBackground(const Picture &picture)
-{
-    int count = 0;
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            count += isBackground(pixel(picture, x, y)) ? 1 : 0;
-        }
-    }
-    return double(count) / (picture.width * picture.height);
-}
-
-}
-
-class TestPicture : public QObject
+class TestPicture : public DrawingTest
 {
     Q_OBJECT
 
-    std::unique_ptr<EglContext> m_context;
-    std::unique_ptr<Renderer> m_renderer;
-
-    Picture draw(const std::shared_ptr<const Scene> &scene, const View &view)
-    {
-        m_renderer->setScene(scene);
-        m_renderer->begin(view);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
-        return m_renderer->read();
-    }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        auto context = EglContext::create();
-        QVERIFY2(context, context ? "" : context.error().c_str());
-        m_context = std::move(*context);
-        auto renderer = Renderer::create();
-        QVERIFY2(renderer, renderer ? "" : renderer.error().c_str());
-        m_renderer = std::move(*renderer);
-        qInfo("%s", m_renderer->description().c_str());
-    }
-
-    void cleanupTestCase()
-    {
-        m_renderer.reset();
-        m_context.reset();
-    }
-
     /// With one sample a pixel shows what the ray through its centre meets, for a ray traced here by slabs.
     void coverageIsWhatARayThroughThePixelCentreMeets_data()
     {
@@ -135,7 +46,7 @@ private Q_SLOTS:
     void coverageIsWhatARayThroughThePixelCentreMeets()
     {
         QFETCH(const bool, isPerspective);
-        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
+        const auto scene = sceneOf("<$>. \"box.obj\"\n");
         Camera camera = fittedCamera(*scene, double(width) / height);
         camera.projection = isPerspective ? Projection::Perspective : Projection::Orthographic;
         camera.viewHeight = 3.7;
@@ -166,19 +77,19 @@ private Q_SLOTS:
     /// One sample per pixel centre differs from eight only at edges, and eight are between one and one.
     void moreSamplesSmoothEdgesOnly()
     {
-        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
-        View view = plainView(fittedCamera(*scene, double(width) / height));
+        const auto scene = sceneOf("<$>. \"box.obj\"\n");
+        View view = fittedView(*scene);
         const Picture one = draw(scene, view);
         view.samples = 8;
         const Picture eight = draw(scene, view);
-        const double different = shareOfDifferentPixels(one, eight, 2);
+        const double different = shareOfDifferent(one, eight, 2);
         QVERIFY2(different > 0.001 && different < 0.03, qPrintable(QString::number(different)));
     }
 
     void picturesRepeatExactly()
     {
-        const auto scene = test::sceneOf("v 1 0 0\nx. \"box.obj\"\nt.p. (p, #, #)\ny. [#, t.1] x\n<$>. y\n");
-        View view = plainView(fittedCamera(*scene, double(width) / height));
+        const auto scene = sceneOf("v 1 0 0\nx. \"box.obj\"\nt.p. (p, #, #)\ny. [#, t.1] x\n<$>. y\n");
+        View view = fittedView(*scene);
         view.samples = 4;
         QCOMPARE(draw(scene, view).pixels, draw(scene, view).pixels);
     }
@@ -202,15 +113,15 @@ private Q_SLOTS:
         const std::string quad = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n";
         const std::string text = "v 0 0 5\nv 0 0 " + std::to_string(5.0 + gap)
             + "\nflat 1 1 1\nlean 20 20 0\nx. \"box.obj\"\nt.p. (p, #, #)\nk.p. (p, lean, #)\n";
-        const auto both = test::sceneOf(text + "<$>. " + set.toStdString() + " x\n", quad);
-        const auto near = test::sceneOf(text + "<$>. [t.1] x\n", quad);
+        const auto both = sceneOf(text + "<$>. " + set.toStdString() + " x\n", quad);
+        const auto near = sceneOf(text + "<$>. [t.1] x\n", quad);
         QVERIFY(both && near);
         Camera camera;
         camera.position = {0, 0, 0};
         const Pixel expected = pixel(draw(near, plainView(camera)), width / 2, height / 2);
         // In the middle the leaning quad is behind by the gap.
         QVERIFY(pixel(draw(both, plainView(camera)), width / 2, height / 2) == expected);
-        const auto far = test::sceneOf(text + "<$>. [k.2] x\n", quad);
+        const auto far = sceneOf(text + "<$>. [k.2] x\n", quad);
         QVERIFY(!(pixel(draw(far, plainView(camera)), width / 2, height / 2) == expected));
     }
 
@@ -229,14 +140,14 @@ private Q_SLOTS:
         QFETCH(const double, size);
         QFETCH(const double, offset);
         const auto boxAt = [](double at, double half) {
-            return test::sceneOf("<$>. \"box.obj\"\n", test::boxObj(glm::dvec3(at - half), glm::dvec3(at + half)));
+            return sceneOf("<$>. \"box.obj\"\n", boxObj(glm::dvec3(at - half), glm::dvec3(at + half)));
         };
         const auto unit = boxAt(0.0, 1.0);
         const auto other = boxAt(offset, size);
-        const Picture expected = draw(unit, plainView(fittedCamera(*unit, double(width) / height)));
-        const Picture actual = draw(other, plainView(fittedCamera(*other, double(width) / height)));
+        const Picture expected = draw(unit, fittedView(*unit));
+        const Picture actual = draw(other, fittedView(*other));
         QVERIFY(shareOfBackground(expected) < 0.9);
-        const double different = shareOfDifferentPixels(expected, actual, 8);
+        const double different = shareOfDifferent(expected, actual);
         QVERIFY2(different < 0.001, qPrintable(QString::number(different)));
     }
 
@@ -244,17 +155,17 @@ private Q_SLOTS:
     void depthBelowAPixelIsNotSeen()
     {
         const auto sierpinski = [](const char *depth) {
-            return test::sceneOf(std::string("v 0.5 0.5 0.5\nv 0.5 -0.5 -0.5\nv -0.5 0.5 -0.5\nv -0.5 -0.5 0.5\n"
-                                             "half 0.5 0.5 0.5\nx. \"box.obj\"\nt.p. (p, #, half)\n"
-                                             "z<x>. [t.1, t.2, t.3, t.4] x\n<$>. z ")
-                                 + depth + '\n');
+            return sceneOf(std::string("v 0.5 0.5 0.5\nv 0.5 -0.5 -0.5\nv -0.5 0.5 -0.5\nv -0.5 -0.5 0.5\n"
+                                       "half 0.5 0.5 0.5\nx. \"box.obj\"\nt.p. (p, #, half)\n"
+                                       "z<x>. [t.1, t.2, t.3, t.4] x\n<$>. z ")
+                           + depth + '\n');
         };
         const auto shallow = sierpinski("14");
         const auto deep = sierpinski("140");
-        const View view = plainView(fittedCamera(*shallow, double(width) / height));
+        const View view = fittedView(*shallow);
         const Picture picture = draw(shallow, view);
         QVERIFY(shareOfBackground(picture) < 0.9);
-        const double different = shareOfDifferentPixels(picture, draw(deep, view), 8);
+        const double different = shareOfDifferent(picture, draw(deep, view));
         QVERIFY2(different <= 0.001, qPrintable(QString::number(different)));
     }
 
@@ -262,27 +173,26 @@ private Q_SLOTS:
     void mirroredCopiesAreWhole()
     {
         const std::string text = "v 0 0 0\nsame 1 1 1\nflip -1 1 1\nx. \"box.obj\"\nt.s. (#, #, s)\n";
-        const auto plain = test::sceneOf(text + "<$>. [t.same] x\n");
-        const auto mirrored = test::sceneOf(text + "<$>. [t.flip] x\n");
+        const auto plain = sceneOf(text + "<$>. [t.same] x\n");
+        const auto mirrored = sceneOf(text + "<$>. [t.flip] x\n");
         QVERIFY(plain && mirrored);
-        const View view = plainView(fittedCamera(*plain, double(width) / height));
-        QVERIFY(shareOfDifferentPixels(draw(plain, view), draw(mirrored, view), 4) < 0.002);
+        const View view = fittedView(*plain);
+        QVERIFY(shareOfDifferent(draw(plain, view), draw(mirrored, view), 4) < 0.002);
     }
 
     void flatAndPointLikeCopiesAreDrawnWithoutHarm()
     {
-        const auto scene = test::sceneOf("v 0 0 0\nsheet 1 0 1\npoint 0 0 0\nline 0 2 0\nx. \"box.obj\"\n"
-                                         "t.s. (#, #, s)\n<$>. [t.sheet, t.point, t.line] x\n");
+        const auto scene = sceneOf("v 0 0 0\nsheet 1 0 1\npoint 0 0 0\nline 0 2 0\nx. \"box.obj\"\n"
+                                   "t.s. (#, #, s)\n<$>. [t.sheet, t.point, t.line] x\n");
         QVERIFY(scene);
-        const double background =
-            shareOfBackground(draw(scene, plainView(fittedCamera(*scene, double(width) / height))));
+        const double background = shareOfBackground(draw(scene, fittedView(*scene)));
         QVERIFY(background > 0.2 && background < 0.95);
     }
 
     void theLastPictureStaysUntilTheNextHasASample()
     {
-        const auto first = test::sceneOf("<$>. \"box.obj\"\n");
-        const View view = plainView(fittedCamera(*first, double(width) / height));
+        const auto first = sceneOf("<$>. \"box.obj\"\n");
+        const View view = fittedView(*first);
         const Picture picture = draw(first, view);
         m_renderer->setScene(nullptr);
         m_renderer->begin(view);
@@ -315,7 +225,7 @@ private Q_SLOTS:
 
     void aPictureTooLargeForTheDriverIsAnErrorNotACrash()
     {
-        const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
+        const auto scene = sceneOf("<$>. \"box.obj\"\n");
         View view = plainView(fittedCamera(*scene, 1.0));
         view.width = 1 << 20;
         view.height = 1 << 20;
@@ -324,7 +234,7 @@ private Q_SLOTS:
         QVERIFY(m_renderer->step(std::chrono::milliseconds(1)));
         QVERIFY(!m_renderer->error().empty());
         // And it draws on afterwards.
-        QVERIFY(shareOfBackground(draw(scene, plainView(fittedCamera(*scene, double(width) / height)))) < 0.9);
+        QVERIFY(shareOfBackground(draw(scene, fittedView(*scene))) < 0.9);
     }
 };
 

@@ -1,57 +1,20 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <array>
 
 #include <QTest>
 
-#include "render/headless/eglcontext.h"
-#include "render/renderer.h"
+#include "drawing.h"
 #include "render/scenecut.h"
-#include "scenes.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
+using namespace romanesco::test;
 
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
-
 const std::string sierpinski = "v 0.5 0.5 0.5\nv 0.5 -0.5 -0.5\nv -0.5 0.5 -0.5\nv -0.5 -0.5 0.5\nhalf 0.5 0.5 0.5\n"
                                "x. \"box.obj\"\nt.p. (p, #, half)\nz<x>. [t.1, t.2, t.3, t.4] x\n<$>. z 8\n";
-
-View viewFrom(const Camera &camera)
-{
-    View view;
-    view.camera = camera;
-    view.width = width;
-    view.height = height;
-    view.backgroundTop = {0.0f, 0.0f, 1.0f};
-    view.backgroundBottom = view.backgroundTop;
-    return view;
-}
-
-View fittedView(const Scene &scene)
-{
-    return viewFrom(fittedCamera(scene, double(width) / height));
-}
-
-/// Of pixels that differ in a channel by more than the threshold.
-double difference(const Picture &a, const Picture &b, int threshold)
-{
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        different += std::abs(int(a.pixels[i]) - int(b.pixels[i])) > threshold ? 1 : 0;
-    }
-    return double(different) / double(a.pixels.size());
-}
-
-bool isBackground(const Picture &picture, std::size_t pixel)
-{
-    return picture.pixels[3 * pixel] == 0 && picture.pixels[3 * pixel + 1] == 0 && picture.pixels[3 * pixel + 2] == 255;
-}
 
 AffineMap moved(const glm::dvec3 &by)
 {
@@ -61,42 +24,15 @@ AffineMap moved(const glm::dvec3 &by)
 }
 
 /// Scenes of several items.
-class TestScenePicture : public QObject
+class TestScenePicture : public DrawingTest
 {
     Q_OBJECT
 
-    std::unique_ptr<EglContext> m_context;
-    std::unique_ptr<Renderer> m_renderer;
-
-    Picture draw(const std::shared_ptr<const Scene> &scene, const View &view)
-    {
-        m_renderer->setScene(scene);
-        m_renderer->begin(view);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
-        return m_renderer->read();
-    }
-
 private Q_SLOTS:
-    void initTestCase()
-    {
-        auto context = EglContext::create();
-        QVERIFY2(context, context ? "" : context.error().c_str());
-        m_context = std::move(*context);
-        auto renderer = Renderer::create();
-        QVERIFY2(renderer, renderer ? "" : renderer.error().c_str());
-        m_renderer = std::move(*renderer);
-    }
-
-    void cleanupTestCase()
-    {
-        m_renderer.reset();
-        m_context.reset();
-    }
-
     void oneItemInPlaceIsTheFractalItself()
     {
-        const auto fractal = test::sceneOf(sierpinski);
-        const auto scene = test::assembled({{fractal->items[0].model, AffineMap{}}});
+        const auto fractal = sceneOf(sierpinski);
+        const auto scene = assembled({{fractal->items[0].model, AffineMap{}}});
         View view = fittedView(*fractal);
         view.samples = 2;
         const Picture expected = draw(fractal, view);
@@ -132,31 +68,28 @@ private Q_SLOTS:
         for (int i = 4; i > 0; --i) { // three vectors stand above its own
             text.replace(text.find("t." + std::to_string(i)), 3, "t." + std::to_string(i + 3));
         }
-        const auto expected = test::sceneOf(text);
+        const auto expected = sceneOf(text);
         QVERIFY(expected);
-        const auto actual = test::assembled({{test::modelOf(sierpinski), map}});
+        const auto actual = assembled({{modelOf(sierpinski), map}});
         const View view = fittedView(*expected);
         const Picture picture = draw(expected, view);
-        int background = 0;
-        for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
-            background += isBackground(picture, i) ? 1 : 0;
-        }
-        QVERIFY(background < 0.97 * width * height && background > 0.2 * width * height);
-        QVERIFY(difference(picture, draw(actual, view), 8) < 0.003);
+        const double background = shareOfBackground(picture);
+        QVERIFY(background < 0.97 && background > 0.2);
+        QVERIFY(shareOfDifferent(picture, draw(actual, view)) < 0.003);
     }
 
     /// Pixel by pixel: where only one item is seen alone, it is seen together; whichever order they stand in.
     void eachItemIsDrawnWithItsOwnMeshAndPlace()
     {
-        const auto box = test::modelOf("<$>. \"box.obj\"\n");
-        const auto pyramid = test::modelOf("<$>. \"box.obj\"\n",
-                                           "v -1 -1 -1\nv 1 -1 -1\nv 0 -1 1\nv 0 1 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+        const auto box = modelOf("<$>. \"box.obj\"\n");
+        const auto pyramid =
+            modelOf("<$>. \"box.obj\"\n", "v -1 -1 -1\nv 1 -1 -1\nv 0 -1 1\nv 0 1 0\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
         const std::vector<std::pair<std::shared_ptr<const Model>, AffineMap>> items{
             {box, moved({-3, 0, 0})},
             {pyramid, AffineMap{}},
             {box, mapFromParts({3, 0, 0}, {0, 30, 0}, {1, 2, 1})}};
-        const auto together = test::assembled(items);
-        const auto backwards = test::assembled({items[2], items[1], items[0]});
+        const auto together = assembled(items);
+        const auto backwards = assembled({items[2], items[1], items[0]});
         const View view = fittedView(*together);
         const Picture all = draw(together, view);
         QCOMPARE(m_renderer->statistics().instances, 3u);
@@ -164,16 +97,16 @@ private Q_SLOTS:
         std::vector<std::size_t> covered(items.size());
         std::vector<Picture> alone;
         for (const auto &item : items) {
-            alone.push_back(draw(test::assembled({item}), view));
+            alone.push_back(draw(assembled({item}), view));
         }
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
             bool isCovered = false;
             for (std::size_t k = 0; k < items.size(); ++k) {
-                covered[k] += isBackground(alone[k], i) ? 0 : 1;
-                isCovered = isCovered || !isBackground(alone[k], i);
+                covered[k] += isBackground(pixel(alone[k], i)) ? 0 : 1;
+                isCovered = isCovered || !isBackground(pixel(alone[k], i));
             }
-            wrong += isCovered == isBackground(all, i) ? 1 : 0;
+            wrong += isCovered == isBackground(pixel(all, i)) ? 1 : 0;
         }
         for (const std::size_t count : covered) {
             QVERIFY(count > 500);
@@ -184,52 +117,49 @@ private Q_SLOTS:
     /// A billion units from the origin, where floats end and doubles have seven digits left.
     void whatIsFarFromTheOriginIsDrawnAsSharply()
     {
-        const auto model = test::modelOf(sierpinski);
-        const auto here = test::assembled({{model, AffineMap{}}});
+        const auto model = modelOf(sierpinski);
+        const auto here = assembled({{model, AffineMap{}}});
         const glm::dvec3 far(1e9, -2e9, 3e9);
-        const auto there = test::assembled({{model, moved(far)}});
+        const auto there = assembled({{model, moved(far)}});
         View view = fittedView(*here);
         const Picture expected = draw(here, view);
         view.camera.position += far;
-        QVERIFY(difference(expected, draw(there, view), 8) < 0.003);
+        QVERIFY(shareOfDifferent(expected, draw(there, view)) < 0.003);
     }
 
     void meshesThatLeaveTheSceneAreTakenBack()
     {
-        const auto box = test::modelOf("<$>. \"box.obj\"\n");
-        const auto many = test::modelOf("<$>. \"box.obj\"\n", [] {
+        const auto box = modelOf("<$>. \"box.obj\"\n");
+        const auto many = modelOf("<$>. \"box.obj\"\n", [] {
             std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
             for (int i = 0; i < 10'000; ++i) {
                 text += "f 1 2 3\n";
             }
             return text;
         }());
-        const auto both = test::assembled({{box, AffineMap{}}, {many, AffineMap{}}});
+        const auto both = assembled({{box, AffineMap{}}, {many, AffineMap{}}});
         const View view = fittedView(*both);
-        draw(test::assembled({{box, AffineMap{}}}), view);
+        draw(assembled({{box, AffineMap{}}}), view);
         const std::size_t before = m_renderer->statistics().bufferBytes;
         draw(both, view);
         QCOMPARE(m_renderer->statistics().bufferBytes, before + 10'000 * 12 + 36);
-        draw(test::assembled({{box, AffineMap{}}}), view);
+        draw(assembled({{box, AffineMap{}}}), view);
         QCOMPARE(m_renderer->statistics().bufferBytes, before);
     }
 
     void aSceneOfNothingIsTheBackground()
     {
-        const auto nothing = test::assembled({});
-        const Picture picture = draw(nothing, fittedView(*nothing));
-        for (std::size_t i = 0; i < std::size_t(width) * height; ++i) {
-            QVERIFY(isBackground(picture, i));
-        }
+        const auto nothing = assembled({});
+        QCOMPARE(shareOfBackground(draw(nothing, fittedView(*nothing))), 1.0);
     }
 
     /// What is counted and held is the sum of all items; a model that stands twice is walked twice but held once.
     void statisticsAreSums()
     {
-        const auto model = test::modelOf(sierpinski);
+        const auto model = modelOf(sierpinski);
         const auto cutOf = [](const std::shared_ptr<const Scene> &scene) {
             SceneCut cut(*scene);
-            cut.begin(Projector(fittedCamera(*scene, double(width) / height), test::around(*scene), 0.0, width, height),
+            cut.begin(Projector(fittedCamera(*scene, double(width) / height), around(*scene), 0.0, width, height),
                       Anchor(scene).surroundings(), 0.0);
             std::uint64_t found = 0;
             while (!cut.isComplete()) {
@@ -237,8 +167,8 @@ private Q_SLOTS:
             }
             return std::array<std::uint64_t, 3>{found, cut.instanceCount(), cut.memoryUse()};
         };
-        const auto one = cutOf(test::assembled({{model, AffineMap{}}}));
-        const auto two = cutOf(test::assembled({{model, AffineMap{}}, {model, moved({1, 2, 3})}}));
+        const auto one = cutOf(assembled({{model, AffineMap{}}}));
+        const auto two = cutOf(assembled({{model, AffineMap{}}, {model, moved({1, 2, 3})}}));
         QCOMPARE(one[0], std::uint64_t(65'536));
         QCOMPARE(one[1], one[0]);
         QCOMPARE(two[0], 2 * one[0]);

@@ -1,46 +1,30 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
 #include <QTest>
 
-#include "render/headless/eglcontext.h"
-#include "render/renderer.h"
-#include "scenes.h"
+#include "drawing.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
+using namespace romanesco::test;
 
 namespace {
 
 constexpr int side = 100;
-
-using Pixel = std::array<int, 3>;
-
-Pixel pixel(const Picture &picture, int x, int y)
-{
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x));
-    return {picture.pixels[at], picture.pixels[at + 1], picture.pixels[at + 2]};
-}
 
 int brightness(const Pixel &p)
 {
     return p[0] + p[1] + p[2];
 }
 
-bool areNear(const Pixel &a, const Pixel &b, int most)
-{
-    return std::abs(a[0] - b[0]) <= most && std::abs(a[1] - b[1]) <= most && std::abs(a[2] - b[2]) <= most;
-}
-
 std::size_t distinctColours(const Picture &picture)
 {
     std::set<Pixel> colours;
-    for (int i = 0; i < side * side; ++i) {
-        colours.insert(pixel(picture, i % side, i / side));
+    for (std::size_t i = 0; i < std::size_t(side) * side; ++i) {
+        colours.insert(pixel(picture, i));
     }
     return colours.size();
 }
@@ -74,7 +58,7 @@ View viewOfSquares()
 
 std::shared_ptr<const Scene> sceneOfObj(const std::string &obj, const std::string &mtl = {})
 {
-    test::TableFiles files;
+    TableFiles files;
     files.files = {{"m.obj", obj}, {"m.mtl", mtl}, {"four.png", "four"}};
     return SceneLoader(files, decodeFour).load("m.obj", obj).scene;
 }
@@ -82,7 +66,7 @@ std::shared_ptr<const Scene> sceneOfObj(const std::string &obj, const std::strin
 /// An octahedron with an .sdo line more.
 std::shared_ptr<const Scene> sceneWith(const std::string &obj, const std::string &lines)
 {
-    test::TableFiles files;
+    TableFiles files;
     files.files = {{"m.obj", obj}};
     return SceneLoader(files).load("s.sdo", lines).scene;
 }
@@ -93,23 +77,11 @@ const std::string octahedronFaces = "f 1 3 6\nf 6 3 2\nf 2 3 5\nf 5 3 1\nf 6 4 1
 }
 
 /// What surfaces look like.
-class TestSurfaces : public QObject
+class TestSurfaces : public DrawingTest
 {
     Q_OBJECT
 
-    std::unique_ptr<EglContext> m_context;
-    std::unique_ptr<Renderer> m_renderer;
-
-    Picture draw(const std::shared_ptr<const Scene> &scene, const View &view)
-    {
-        m_renderer->setScene(scene);
-        m_renderer->begin(view);
-        while (!m_renderer->step(std::chrono::milliseconds(1000))) { }
-        return m_renderer->read();
-    }
-
 private Q_SLOTS:
-    void initTestCase();
     void facesHaveTheColoursOfTheirMaterials();
     void verticesMayHaveColours();
     void texturesLieAsTheirCoordinatesSay();
@@ -123,16 +95,6 @@ private Q_SLOTS:
     void selectedCopiesStandOut();
     void branchesHaveColoursOfTheirOwn();
 };
-
-void TestSurfaces::initTestCase()
-{
-    auto context = EglContext::create();
-    QVERIFY2(context, context ? "" : context.error().c_str());
-    m_context = std::move(*context);
-    auto renderer = Renderer::create();
-    QVERIFY2(renderer, renderer ? "" : renderer.error().c_str());
-    m_renderer = std::move(*renderer);
-}
 
 void TestSurfaces::facesHaveTheColoursOfTheirMaterials()
 {
@@ -243,11 +205,8 @@ void TestSurfaces::mirroredCopiesAreLitAlike()
         const std::string obj = octahedron + smoothing + octahedronFaces;
         const Picture plain = draw(sceneWith(obj, "o \"m.obj\" #\n"), view);
         const Picture mirrored = draw(sceneWith(obj, "o \"m.obj\" (#, #, (-1, 1, 1))\n"), view);
-        int different = 0;
-        for (int i = 0; i < side * side; ++i) {
-            different += areNear(pixel(plain, i % side, i / side), pixel(mirrored, i % side, i / side), 3) ? 0 : 1;
-        }
-        QVERIFY2(different < 30, qPrintable(QString::number(different))); // along edges, where the order decides
+        const double different = shareOfDifferent(plain, mirrored, 3);
+        QVERIFY2(different < 3e-3, qPrintable(QString::number(different))); // along edges, where the order decides
     }
 }
 
@@ -286,8 +245,8 @@ void TestSurfaces::wiresAreDrawnAlongEdges()
 void TestSurfaces::selectedCopiesStandOut()
 {
     // Four cubes in a row, the second word of two picks each.
-    const auto scene = test::sceneOf("v -4 0 0\nv 4 0 0\nv -2 0 0\nv 2 0 0\nx. \"box.obj\"\na.p. (p, #, #)\n"
-                                     "y. [a.3, a.4] x\nz. [a.1, a.2] y\n<$>. z\n");
+    const auto scene = sceneOf("v -4 0 0\nv 4 0 0\nv -2 0 0\nv 2 0 0\nx. \"box.obj\"\na.p. (p, #, #)\n"
+                               "y. [a.3, a.4] x\nz. [a.1, a.2] y\n<$>. z\n");
     View view = viewOfSquares();
     view.camera.viewHeight = 14;
     const auto at = [](double x) { return static_cast<int>(std::lround((x / 14 + 0.5) * side)); };
@@ -310,8 +269,8 @@ void TestSurfaces::selectedCopiesStandOut()
 
 void TestSurfaces::branchesHaveColoursOfTheirOwn()
 {
-    const auto scene = test::sceneOf("v -4 0 0\nv 4 0 0\nh 0.4 0.4 0.4\nx. \"box.obj\"\na.p. (p, #, h)\n"
-                                     "z<x>. [a.1, a.2] x\n<$>. z 2\n");
+    const auto scene = sceneOf("v -4 0 0\nv 4 0 0\nh 0.4 0.4 0.4\nx. \"box.obj\"\na.p. (p, #, h)\n"
+                               "z<x>. [a.1, a.2] x\n<$>. z 2\n");
     View view = viewOfSquares();
     view.camera.viewHeight = 14;
     const auto at = [](double x) { return static_cast<int>(std::lround((x / 14 + 0.5) * side)); };
