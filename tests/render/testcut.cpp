@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 
 #include <QTest>
@@ -66,6 +67,33 @@ std::vector<AffineMap> flattened(const std::vector<AffineMap> &set, int depth)
         all = std::move(next);
     }
     return all;
+}
+
+/// The depth at which a pixel shows a box that a map places, as a ray through the pixel's middle meets it; none where it
+/// does not.
+std::optional<double> depthAt(const Projector &projector, int x, int y, const AffineMap &map, const Box &box)
+{
+    const bool isPerspective = projector.projection == Projection::Perspective;
+    const double u = ((x + 0.5) / projector.width * 2.0 - 1.0 - projector.jitter.x) / projector.scaleX;
+    const double v = ((y + 0.5) / projector.height * 2.0 - 1.0 - projector.jitter.y) / projector.scaleY;
+    const glm::dmat3 inwards = glm::inverse(map.linear);
+    const glm::dvec3 from = inwards * ((isPerspective ? glm::dvec3(0.0) : glm::dvec3(u, v, 0.0)) - map.translation);
+    const glm::dvec3 along = inwards * (isPerspective ? glm::dvec3(u, v, 1.0) : glm::dvec3(0.0, 0.0, 1.0));
+    double enter = isPerspective ? projector.near : -projector.range;
+    double leave = projector.range * 10.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = (box.least[axis] - from[axis]) / along[axis];
+        const double b = (box.greatest[axis] - from[axis]) / along[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    if (enter > leave) {
+        return std::nullopt;
+    }
+    const double way = projector.isDeep()
+        ? std::copysign(std::log2(1.0 + std::abs(enter)) / std::log2(1.0 + projector.range), enter)
+        : enter / projector.range;
+    return isPerspective ? projector.near / enter : 0.5 - 0.5 * way;
 }
 
 }
@@ -229,6 +257,68 @@ private Q_SLOTS:
         // The end of the chain is at (1, 0, 0).
         const glm::dvec3 end = projector.cameraFrom(AffineMap{})(glm::dvec3(1, 0, 0));
         QVERIFY(std::abs(double(drawn[0].rows[0][3]) - end.x) < 1e-5);
+    }
+
+    void hiddenBoxesLieBehindAllThatIsDrawn_data()
+    {
+        QTest::addColumn<bool>("isPerspective");
+        QTest::addColumn<double>("reach");
+        QTest::newRow("perspective") << true << 0.0;
+        QTest::newRow("orthographic") << false << 0.0;
+        QTest::newRow("orthographic, over many sizes") << false << 1e6;
+    }
+
+    /// Against rays through the middles of all pixels. What is drawn is a wall that ends somewhere.
+    void hiddenBoxesLieBehindAllThatIsDrawn()
+    {
+        QFETCH(const bool, isPerspective);
+        QFETCH(const double, reach);
+        std::mt19937 random(9);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        const auto anywhere = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
+        int hidden = 0;
+        int missed = 0;
+        for (int round = 0; round < 60; ++round) {
+            Camera camera;
+            camera.projection = isPerspective ? Projection::Perspective : Projection::Orthographic;
+            camera.fieldOfView = 60.0 + 50.0 * unit(random);
+            Projector projector(camera, {{0, 0, 1}, 1}, reach, 25 + 3 * (round % 3), 20);
+            projector.jitter = anywhere() / 30.0;
+            const double wall = 0.4 + 0.2 * unit(random);
+            const Box endless{glm::dvec3(-1e3, -1e3, wall), glm::dvec3(1e3)};
+            const bool isUpright = random() % 2;
+            const int edge = static_cast<int>((isUpright ? projector.width : 20) * (0.5 + 0.3 * unit(random)));
+            const bool isBefore = random() % 2;
+            std::vector<float> depths;
+            for (int i = 0; i < projector.width * projector.height; ++i) {
+                const bool isWall = ((isUpright ? i % projector.width : i / projector.width) < edge) == isBefore;
+                depths.push_back(isWall ? static_cast<float>(*depthAt(projector, 0, 0, {}, endless)) : 0.0f);
+            }
+            DepthPyramid drawn;
+            drawn.build(depths, projector.width, projector.height);
+            for (int i = 0; i < 100; ++i) {
+                // by the wall or through it, near the camera too
+                const double size = 0.3 * std::pow(unit(random), 2.0);
+                const double away = wall + 2.0 * size * unit(random) - (i % 20 == 0 ? wall : 0.0);
+                const AffineMap map{size * glm::dmat3(anywhere(), anywhere(), anywhere()),
+                                    {0.4 * unit(random), 0.4 * unit(random), away}};
+                const Box box{-0.5 + 0.4 * anywhere(), 0.5 + 0.4 * anywhere()};
+                const auto footprint = projector.footprint(map, box);
+                const bool isHidden = footprint && drawn.isHidden(*footprint);
+                bool isInView = false;
+                bool isSeen = false;
+                for (std::size_t k = 0; k < depths.size(); ++k) {
+                    const int at = static_cast<int>(k);
+                    const auto depth = depthAt(projector, at % projector.width, at / projector.width, map, box);
+                    isInView = isInView || depth;
+                    isSeen = isSeen || (depth && *depth > double(depths[k]) * (1.0 + 1e-6));
+                }
+                QVERIFY(!isHidden || !isSeen);
+                hidden += isHidden ? 1 : 0;
+                missed += !isHidden && !isSeen && isInView ? 1 : 0;
+            }
+        }
+        QVERIFY2(hidden > 5 * missed, qPrintable(QStringLiteral("%1 hidden, %2 missed").arg(hidden).arg(missed)));
     }
 
     /// Also where a model is so large that it is forgotten before the next one.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <QTest>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 
 #include "drawing.h"
 #include "tests/testmain.h"
