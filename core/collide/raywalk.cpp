@@ -95,7 +95,8 @@ void RayWalk::cast(const Ray &ray, std::span<const RayRoot> roots, RayHit &hit)
 {
     assert(areComputable(ray.origin) && areComputable(ray.direction) && "squares are numbers");
     assert(greatestSize(ray.direction) > 0.0 && "a ray leads somewhere");
-    assert(ray.least >= 0.0 && ray.least <= ray.greatest && "t begins before it ends");
+    assert((ray.least >= 0.0 || ray.spread == 0.0) && "before its origin a ray has no width");
+    assert(ray.least <= ray.greatest && "t begins before it ends");
     assert(ray.width >= 0.0 && ray.spread >= 0.0 && "nothing is narrower than a line");
     begin(ray, roots);
     while (!m_open.empty() && m_open.front().way <= m_best.way && m_cost.nodeVisits < ray.nodeBudget

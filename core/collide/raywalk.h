@@ -31,7 +31,8 @@ struct Ray {
     glm::dvec3 origin{0.0};
     /// Finite and not 0; of any length, which is the unit of t.
     glm::dvec3 direction{0.0, 0.0, 1.0};
-    /// Not negative, least ≤ greatest; the greatest may be infinite.
+    /// least ≤ greatest, which may be infinite. Where nothing spreads the least may be negative: what the line meets first
+    /// from there on.
     double least = 0.0;
     double greatest = std::numeric_limits<double>::infinity();
     /// Half as wide as it is: width + t·spread, neither negative. What is smaller, seen from the middle of its bound, is one

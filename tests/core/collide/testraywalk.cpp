@@ -97,7 +97,7 @@ Ray randomRay(std::mt19937_64 &random, const Placed &written, double size)
     const double length = std::pow(10.0, uniform(random, -12, 12));
     ray.direction *= length / glm::length(ray.direction);
     if (random() % 4 == 0) {
-        ray.least = uniform(random, 0, size) / length;
+        ray.least = uniform(random, -size, size) / length;
         ray.greatest = ray.least + uniform(random, 0, size) / length;
     }
     return ray;
