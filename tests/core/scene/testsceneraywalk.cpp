@@ -60,6 +60,37 @@ Ray rayTo(std::mt19937_64 &random, const std::vector<WrittenFace> &faces)
     return ray;
 }
 
+/// From the root of the item that was met.
+std::vector<Step> stepsTo(const Surroundings &from, const RayHit &hit)
+{
+    const Surroundings::Node &root = from.nodes.at(hit.root);
+    const auto shared = from.path.begin() + static_cast<std::ptrdiff_t>(root.sharedSteps);
+    std::vector<Step> steps(from.path.begin(), shared);
+    if (root.step) {
+        steps.push_back(*root.step);
+    }
+    steps.insert(steps.end(), hit.choices.begin(), hit.choices.end());
+    return steps;
+}
+
+std::vector<AffineMap> mapsOf(const Model &model, const std::vector<Step> &steps)
+{
+    std::vector<AffineMap> maps;
+    for (const Step &step : steps) {
+        maps.push_back(model.graph.set(step.set).maps[step.map]);
+    }
+    return maps;
+}
+
+std::vector<AffineMap> mapsOf(const naive::Fractal &fractal, const naive::Picks &picks)
+{
+    std::vector<AffineMap> maps;
+    for (const int pick : picks) {
+        maps.push_back(fractal.maps[static_cast<std::size_t>(pick)]);
+    }
+    return maps;
+}
+
 SceneRayWalk walkOf(std::vector<SceneItem> items)
 {
     return SceneRayWalk::create(sceneOf(std::move(items))).value();
@@ -72,19 +103,31 @@ class TestSceneRayWalk : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void itMeetsTheFirstOfAllItems_data();
     void itMeetsTheFirstOfAllItems();
+    void deepInASpongeItMeetsWhatTheDigitsSay_data();
+    void deepInASpongeItMeetsWhatTheDigitsSay();
     void itemsBehindWhatIsMetAreNotWalked();
     void aBudgetIsForAllItems();
     void whatCannotBeWalkedIsRefused();
     void raysTakeNoMemoryOnceItHasGrown();
 };
 
+void TestSceneRayWalk::itMeetsTheFirstOfAllItems_data()
+{
+    QTest::addColumn<bool>("isFromInside");
+    QTest::newRow("from the world") << false;
+    QTest::newRow("from a place inside") << true;
+}
+
 /// Balls too.
 void TestSceneRayWalk::itMeetsTheFirstOfAllItems()
 {
+    QFETCH(const bool, isFromInside);
     std::mt19937_64 random(331);
     int metCount = 0;
     int ballCount = 0;
+    int insideCount = 0;
     for (int round = 0; round < 80; ++round) {
         const Written scene = randomScene(random);
         const std::vector<WrittenFace> faces = facesOf(scene);
@@ -97,7 +140,24 @@ void TestSceneRayWalk::itMeetsTheFirstOfAllItems()
             const double length = glm::length(ray.direction);
             const double rounding = 1e-13 * (40 + glm::length(ray.origin));
             RayHit hit;
-            walk.cast(ray, hit);
+            std::vector<Step> steps;
+            if (isFromInside) {
+                Anchor anchor(walk.scene());
+                const auto moves = anchor.follow(narrowed(faces[random() % faces.size()].corners[0]), 0.0);
+                insideCount += anchor.depth() > 0 ? 1 : 0;
+                const auto from = anchor.surroundings();
+                const double unit = std::exp2(from->unitExponent);
+                walk.cast({.origin = (ray.origin - from->origin) / unit, .direction = ray.direction / unit}, *from,
+                          hit);
+                hit.point = from->origin + unit * hit.point;
+                if (hit.isFound()) {
+                    QCOMPARE(from->nodes.at(hit.root).item, walk.item());
+                    steps = stepsTo(*from, hit);
+                }
+            } else {
+                walk.cast(ray, hit);
+                steps = hit.choices;
+            }
             const auto words = [&] {
                 return qPrintable(QStringLiteral("round %1, %2: %3").arg(round).arg(i).arg(hit.t));
             };
@@ -111,7 +171,7 @@ void TestSceneRayWalk::itMeetsTheFirstOfAllItems()
                 }
                 if (hit.isFound() && face.item == walk.item() && face.face == hit.face) {
                     const RandomFractal &sample = scene.fractals[scene.fractalOfItem[face.item]];
-                    if (picksOf(hit.address, sample.fractal) == face.picks) {
+                    if (mapsOf(*scene.items[face.item].model, steps) == mapsOf(sample.fractal, face.picks)) {
                         isOneOfThem = true;
                         const auto off = static_cast<double>(truth::distance<Wide>(face.corners, wide(hit.point)));
                         const double thinness = met ? static_cast<double>(met->thinness) : HUGE_VAL;
@@ -125,6 +185,114 @@ void TestSceneRayWalk::itMeetsTheFirstOfAllItems()
         }
     }
     QVERIFY2(metCount > 200 && ballCount > 10, qPrintable(QStringLiteral("%1 %2").arg(metCount).arg(ballCount)));
+    QVERIFY(!isFromInside || insideCount > 200);
+}
+
+namespace {
+
+/// Of a cell among 27, each from 0 to 2.
+using Digits = std::array<int, 3>;
+
+bool isHole(const Digits &cell)
+{
+    return std::ranges::count(cell, 1) > 1;
+}
+
+Digits randomCell(std::mt19937_64 &random)
+{
+    return {static_cast<int>(random() % 3), static_cast<int>(random() % 3), static_cast<int>(random() % 3)};
+}
+
+/// The way of a ray along z in a sponge: from a hole to the cell behind it, whose parts before the ray are those with the
+/// least z, down to the last level; unless at some level the ray is in the middle in x and in y, which is a hole all along.
+struct WayIn {
+    /// Of all levels.
+    std::vector<Digits> cells;
+    /// What has the hole before it.
+    std::size_t behind;
+};
+
+WayIn randomWayIn(std::mt19937_64 &random, std::size_t levels, std::size_t below)
+{
+    WayIn way{{}, levels - random() % 6};
+    while (way.cells.size() < levels + below) {
+        Digits cell = randomCell(random);
+        const std::size_t level = way.cells.size() + 1;
+        cell[2] = level < way.behind ? cell[2] : level == way.behind ? 2 : 0;
+        cell[0] = level == way.behind ? 1 : cell[0];
+        if (!isHole(cell)) {
+            way.cells.push_back(cell);
+        }
+    }
+    return way;
+}
+
+}
+
+void TestSceneRayWalk::deepInASpongeItMeetsWhatTheDigitsSay_data()
+{
+    QTest::addColumn<int>("levels");
+    for (const int levels : {7, 30, 300, 1500}) {
+        QTest::addRow("%d levels", levels) << levels;
+    }
+}
+
+/// The sponge has a side of 3 and parts of a third around the whole numbers.
+void TestSceneRayWalk::deepInASpongeItMeetsWhatTheDigitsSay()
+{
+    QFETCH(const int, levels);
+    constexpr std::size_t below = 10;
+    const auto depth = static_cast<std::size_t>(levels);
+    std::mt19937_64 random(334);
+    const AffineMap place = mapFromParts({1, 2, 3}, {10, 20, 30}, glm::dvec3(2));
+    SceneRayWalk walk =
+        walkOf({{.model = modelOf(QStringLiteral("sierpinski"), 3), .worldFromModel = {glm::dmat3(1.0), {99, 0, 0}}},
+                {.model = modelOf(QStringLiteral("menger"), depth + below), .worldFromModel = place}});
+    const std::vector<AffineMap> &maps = walk.scene()->items[1].model->graph.set(0).maps;
+    const auto mapOf = [&](const Digits &cell) {
+        const glm::dvec3 middle(cell[0] - 1, cell[1] - 1, cell[2] - 1);
+        return static_cast<std::uint32_t>(std::ranges::find(maps, middle, &AffineMap::translation) - maps.begin());
+    };
+    for (int round = 0; round < 20; ++round) {
+        WayIn way = randomWayIn(random, depth, below);
+        const bool isMissed = round % 4 == 3;
+        if (isMissed) {
+            way.cells[depth + random() % 4] = {1, 1, 0};
+        }
+        Anchor anchor(walk.scene());
+        QVERIFY(anchor.enter({0, 1}));
+        glm::dvec3 at(0.0);
+        for (std::size_t i = 0; i < way.cells.size(); ++i) {
+            if (i < depth) {
+                QVERIFY(anchor.enter({0, mapOf(way.cells[i])}));
+            } else {
+                at +=
+                    std::pow(3.0, double(depth) - double(i)) * glm::dvec3(way.cells[i][0] - 1, way.cells[i][1] - 1, 0);
+            }
+        }
+        // the hole is as deep as the cell behind it
+        const double distance = uniform(random, 0.1, 0.9) * std::pow(3.0, 1.0 + double(depth - way.behind));
+        const double speed = uniform(random, 0.5, 3);
+        const glm::dmat3 turned = 0.5 * place.linear;
+        at.z = -1.5 - distance;
+        RayHit hit;
+        const auto from = anchor.surroundings();
+        // a hole that goes on is followed only within the cell: beyond, it has 3^18 walls
+        const double greatest = isMissed ? (distance + 2.9) / speed : std::numeric_limits<double>::infinity();
+        walk.cast({.origin = turned * at, .direction = speed * turned[2], .greatest = greatest}, *from, hit);
+        QCOMPARE(hit.isFound(), !isMissed);
+        if (isMissed) {
+            continue;
+        }
+        QVERIFY2(std::abs(hit.t * speed - distance) < 1e-12 * (10 + distance),
+                 qPrintable(QString::number(hit.t * speed - distance)));
+        QCOMPARE(walk.item(), std::size_t(1));
+        const std::vector<Step> steps = stepsTo(*from, hit);
+        QCOMPARE(steps.size(), way.cells.size());
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            QCOMPARE(steps[i].map, mapOf(way.cells[i]));
+        }
+    }
 }
 
 /// A row of cubes, met from one end: as many nodes as of one alone.
