@@ -243,15 +243,6 @@ void registerAll(bool withHuge)
     }
 }
 
-/// Takes a flag out of the arguments.
-bool takeFlag(int &argc, char **argv, const std::string &flag)
-{
-    char **const end = std::remove(argv, argv + argc, flag);
-    const bool isThere = end != argv + argc;
-    argc = static_cast<int>(end - argv);
-    return isThere;
-}
-
 }
 
 /// Beside Google Benchmark's own: --markdown writes docs/colliders.md, by rounds in random order; --huge adds what takes
@@ -260,27 +251,11 @@ int main(int argc, char **argv)
 {
     const bool withHuge = takeFlag(argc, argv, "--huge");
     const bool asMarkdown = takeFlag(argc, argv, "--markdown");
-    std::vector<std::string> rounds{"--benchmark_min_time=0.05s", "--benchmark_repetitions=5",
-                                    "--benchmark_enable_random_interleaving=true"};
-    std::vector<char *> arguments(argv, argv + argc);
-    if (asMarkdown) {
-        for (std::string &argument : rounds) {
-            arguments.insert(arguments.begin() + 1, argument.data());
-        }
-    }
-    argc = static_cast<int>(arguments.size());
-    arguments.push_back(nullptr);
     registerAll(withHuge);
-    benchmark::Initialize(&argc, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(argc, arguments.data())) {
-        return 1;
-    }
-    if (asMarkdown) {
-        std::vector<Subject> all = subjects;
-        all.push_back(huge);
-        CollideTables tables(std::move(all));
-        benchmark::RunSpecifiedBenchmarks(&tables);
-    } else {
-        benchmark::RunSpecifiedBenchmarks();
-    }
+    std::vector<Subject> all = subjects;
+    all.push_back(huge);
+    CollideTables tables(std::move(all));
+    return run(
+        argc, argv, asMarkdown ? &tables : nullptr,
+        {"--benchmark_min_time=0.05s", "--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true"});
 }

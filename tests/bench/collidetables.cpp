@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
-#include <limits>
 
 namespace romanesco::bench {
 
@@ -48,56 +46,6 @@ and p99. *Cut off*: share of the answers, in per cent, that took 100,000 nodes a
 its boxes and the collider. Search: what a search has grown to after all queries near the surface.
 )";
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-/// Three digits or so; a dash for what is missing.
-std::string number(double value)
-{
-    if (std::isnan(value)) {
-        return "–";
-    }
-    char text[64];
-    const int decimals = value == std::round(value) || value >= 99.95 ? 0 : value >= 0.995 ? 1 : 2;
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    std::string digits = text;
-    const std::size_t point = std::min(digits.find('.'), digits.size());
-    for (std::size_t i = point; i > 3; i -= 3) {
-        digits.insert(i - 3, ",");
-    }
-    return digits;
-}
-
-/// With slashes; a single dash where all are missing.
-std::string joined(const std::vector<double> &values)
-{
-    if (std::ranges::all_of(values, [](double value) { return std::isnan(value); })) {
-        return number(missing);
-    }
-    std::string text;
-    for (const double value : values) {
-        text += (text.empty() ? "" : " / ") + number(value);
-    }
-    return text;
-}
-
-std::string row(const std::vector<std::string> &cells)
-{
-    std::string text = "|";
-    for (const std::string &cell : cells) {
-        text += (cell.empty() ? "" : " ") + cell + " |";
-    }
-    return text + "\n";
-}
-
-std::string head(const std::vector<std::string> &cells)
-{
-    std::string text = "\n" + row(cells) + "|";
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        text += "---|";
-    }
-    return text + "\n";
-}
-
 std::string writtenOut(const Subject &subject)
 {
     return subject.name + "-" + std::to_string(subject.depth);
@@ -108,33 +56,6 @@ std::string deep(const Subject &subject, std::uint64_t depth)
     return "depth/" + subject.name + "-" + std::to_string(depth);
 }
 
-}
-
-void CollideTables::ReportRuns(const std::vector<Run> &runs)
-{
-    for (const Run &run : runs) {
-        if (run.skipped) {
-            GetErrorStream() << run.benchmark_name() << ": " << run.skip_message << "\n";
-        }
-        if (run.run_type == Run::RT_Aggregate ? run.aggregate_name != "median" : run.repetitions > 1) {
-            continue;
-        }
-        Figures &figures = m_runs[run.run_name.function_name];
-        figures["us"] = run.GetAdjustedCPUTime() / 1e3;
-        for (const auto &[name, counter] : run.counters) {
-            figures[name] = counter.value;
-        }
-    }
-}
-
-double CollideTables::figure(const std::string &run, const std::string &what) const
-{
-    const auto figures = m_runs.find(run);
-    if (figures == m_runs.end()) {
-        return missing;
-    }
-    const auto value = figures->second.find(what);
-    return value == figures->second.end() ? missing : value->second;
 }
 
 std::string CollideTables::ofPlaces(const std::string &subject, const std::string &kind, const std::string &what) const
@@ -164,7 +85,7 @@ void CollideTables::writeRatios(std::ostream &stream) const
     stream << head(titles);
     for (const Subject &subject : m_subjects) {
         const std::string name = writtenOut(subject);
-        if (!m_runs.contains(name + "/near/exact")) {
+        if (!contains(name + "/near/exact")) {
             continue;
         }
         std::vector<std::string> cells{subject.title + ", d = " + std::to_string(subject.depth),
@@ -189,7 +110,7 @@ void CollideTables::writeRatios(std::ostream &stream) const
 void CollideTables::writeSubject(std::ostream &stream, const Subject &subject) const
 {
     const std::string name = writtenOut(subject);
-    if (!m_runs.contains(name + "/near/exact")) {
+    if (!contains(name + "/near/exact")) {
         return;
     }
     stream << "\n## " << subject.title << ", d = " << subject.depth << ": "
@@ -199,7 +120,7 @@ void CollideTables::writeSubject(std::ostream &stream, const Subject &subject) c
     for (const std::string kind :
          {"exact", "approximate", "bvh", "greedy", "octree", "simple", "embree", "embree-instanced", "cgal"}) {
         const std::string near = name + "/near/" + kind;
-        if (!m_runs.contains(near)) {
+        if (!contains(near)) {
             continue;
         }
         const double peak = figure(near, "peak_KiB");
@@ -236,7 +157,7 @@ void CollideTables::writeGoals(std::ostream &stream) const
     stream << head({"", "nodes, near, d = 40", "40 to 20 levels, within 0.1 %: time", "nodes", "ms, d ≤ 10", "KiB",
                     "ms, d = 40", "KiB"});
     for (const Subject &subject : m_subjects) {
-        if (!m_runs.contains(deep(subject, 40) + "/near/exact")) {
+        if (!contains(deep(subject, 40) + "/near/exact")) {
             continue;
         }
         const auto growth = [&](const std::string &what) {
@@ -255,7 +176,7 @@ void CollideTables::writeGoals(std::ostream &stream) const
 
 void CollideTables::writeDepths(std::ostream &stream, const Subject &subject) const
 {
-    if (!m_runs.contains(deep(subject, depths.front()) + "/near/exact")) {
+    if (!contains(deep(subject, depths.front()) + "/near/exact")) {
         return;
     }
     stream << "\n### " << subject.title << ", deeper\n";

@@ -4,12 +4,11 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include <benchmark/benchmark.h>
+#include "tables.h"
 
 namespace romanesco::bench {
 
@@ -26,9 +25,9 @@ struct Subject {
 
 constexpr std::array<std::uint64_t, 6> depths{5, 6, 8, 10, 20, 40};
 
-/// Writes docs/colliders.md to the standard output: what was measured, as tables. Of repetitions it takes the median.
+/// Writes docs/colliders.md to the standard output: what was measured, as tables.
 /// Benchmarks are named NAME-DEPTH/PLACE/KIND, and depth/NAME-DEPTH/PLACE/KIND where only the graph was asked.
-class CollideTables final : public benchmark::BenchmarkReporter
+class CollideTables final : public Tables
 {
 public:
     /// In that order.
@@ -37,15 +36,9 @@ public:
     {
     }
 
-    bool ReportContext(const Context &) override { return true; }
-    void ReportRuns(const std::vector<Run> &runs) override;
     void Finalize() override;
 
 private:
-    /// Counters by name, and the time as "us".
-    using Figures = std::map<std::string, double>;
-
-    [[nodiscard]] double figure(const std::string &run, const std::string &what) const;
     [[nodiscard]] std::string ofPlaces(const std::string &subject, const std::string &kind,
                                        const std::string &what) const;
     [[nodiscard]] std::string wrong(const std::string &run) const;
@@ -58,7 +51,6 @@ private:
     void writeDepths(std::ostream &stream, const Subject &subject) const;
 
     std::vector<Subject> m_subjects;
-    std::map<std::string, Figures> m_runs;
 };
 
 }
