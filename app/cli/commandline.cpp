@@ -17,8 +17,8 @@ constexpr std::array commands = {
             "write all copies as a mesh: .obj, .ply, .stl or .glb", runExport},
     Command{"format", "FILE… [--check]", "tidy the layout of files, in place", runFormat},
     Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},
-    Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--depth N] …",
-            "draw one picture, without a display", runRender},
+    Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--turntable N] …",
+            "draw a picture, or a full turn of them, without a display", runRender},
 };
 
 }

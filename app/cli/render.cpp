@@ -16,8 +16,8 @@
 #include "core/formats/sdoreader.h"
 #include "input.h"
 #include "output.h"
-#include "render/headless/eglcontext.h"
-#include "render/renderer.h"
+#include "painter.h"
+#include "turntable.h"
 
 namespace romanesco::cli {
 
@@ -52,6 +52,14 @@ struct Options {
                                                "branch (the outermost transformation) or set."),
                                 QStringLiteral("WHAT")};
     QCommandLineOption wireframe{QStringLiteral("wireframe"), QStringLiteral("With the edges of all triangles.")};
+    QCommandLineOption turntable{
+        QStringLiteral("turntable"),
+        QStringLiteral("N pictures of a full turn round what is looked at, the first as without; "
+                       "OUT.png has a %d in it for the number, or %04d for four digits."),
+        QStringLiteral("N")};
+    QCommandLineOption frames{QStringLiteral("frames"),
+                              QStringLiteral("Only these of the pictures of --turntable, from A to B; the first is 0."),
+                              QStringLiteral("A..B")};
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
 
@@ -141,36 +149,46 @@ std::optional<Camera> cameraFromLine(const QString &line)
     return cameraOf(*scene.camera);
 }
 
-/// The picture, or an exit status after a complaint.
-std::expected<Picture, int> draw(const std::shared_ptr<const Scene> &scene, const View &view, bool isQuiet)
+/// What is to be drawn: pictures of a turn, one where there is no turntable.
+struct Series {
+    Turntable turntable;
+    glm::dvec3 pivot{0.0};
+    /// None for a single picture, which goes to the output by its own name.
+    std::optional<FramePattern> names;
+    QString output;
+
+    [[nodiscard]] QString name(int frame) const { return names ? names->name(frame) : output; }
+    [[nodiscard]] bool isSingle() const { return turntable.count == 1; }
+};
+
+/// Complains where the options make no sense.
+std::optional<Series> seriesFromOptions(const QCommandLineParser &parser, const Options &options)
 {
-    const auto fail = [](const std::string &words) {
-        complain(QString::fromStdString(words));
-        return std::unexpected(CannotDo);
-    };
-    const auto context = EglContext::create();
-    if (!context) {
-        return fail(context.error());
-    }
-    const auto renderer = Renderer::create();
-    if (!renderer) {
-        return fail(renderer.error());
-    }
-    catchCancel();
-    Progress progress(isQuiet);
-    (*renderer)->setScene(scene);
-    (*renderer)->begin(view);
-    while (!(*renderer)->step(std::chrono::milliseconds(100))) {
-        if (isCancelled()) {
-            return fail("cancelled");
+    Series series;
+    series.output = parser.value(options.output);
+    if (!parser.isSet(options.turntable)) {
+        if (parser.isSet(options.frames)) {
+            complain(QStringLiteral("--frames needs --turntable"));
+            return std::nullopt;
         }
-        progress.show(
-            QStringLiteral("drawing: %1 of %2 samples").arg((*renderer)->finishedSamples()).arg(view.samples));
+        return series;
     }
-    if (!(*renderer)->error().empty()) {
-        return fail((*renderer)->error());
+    const auto turntable = readTurntable(parser.value(options.turntable), parser.value(options.frames));
+    if (!turntable) {
+        complain(turntable.error());
+        return std::nullopt;
     }
-    return (*renderer)->read();
+    series.turntable = *turntable;
+    if (series.isSingle() && !series.output.contains(QLatin1Char('%'))) {
+        return series;
+    }
+    const auto names = FramePattern::parse(series.output);
+    if (!names) {
+        complain(QStringLiteral("-o %1 is not a pattern: %2").arg(series.output, names.error()));
+        return std::nullopt;
+    }
+    series.names = *names;
+    return series;
 }
 
 QByteArray png(const Picture &picture)
@@ -183,15 +201,43 @@ QByteArray png(const Picture &picture)
     return bytes;
 }
 
+/// All pictures of a series, each file whole or not at all; an exit status.
+int drawSeries(const std::shared_ptr<const Scene> &scene, View view, const Series &series, bool isQuiet)
+{
+    auto painter = Painter::create(scene);
+    if (!painter) {
+        return painter.error();
+    }
+    catchCancel();
+    Progress progress(isQuiet);
+    const Camera start = view.camera;
+    const Turntable &turntable = series.turntable;
+    for (int frame = turntable.first; frame <= turntable.last; ++frame) {
+        view.camera = turned(start, series.pivot, frame, turntable.count);
+        const QString what = series.isSingle()
+            ? QStringLiteral("drawing")
+            : QStringLiteral("drawing picture %1 up to %2").arg(frame).arg(turntable.last);
+        const auto picture = painter->draw(view, progress, what);
+        if (!picture) {
+            return picture.error();
+        }
+        if (!writeWhole(series.name(frame), png(*picture))) {
+            return CannotDo;
+        }
+    }
+    return Done;
+}
+
 }
 
 int runRender(const QStringList &arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Draws one picture of a fractal or a scene, without a display."));
+    parser.setApplicationDescription(QStringLiteral("Draws pictures of a fractal or a scene, without a display."));
     const Options options;
     parser.addOptions({options.output, options.size, options.camera, depthOption(), options.tolerance, options.samples,
-                       options.background, options.colourBy, options.wireframe, options.quiet});
+                       options.background, options.colourBy, options.wireframe, options.turntable, options.frames,
+                       options.quiet});
     const auto file = parseArguments(parser, "render", arguments);
     if (!file) {
         return file.error();
@@ -201,7 +247,8 @@ int runRender(const QStringList &arguments)
         return WrongUsage;
     }
     std::optional<View> view = viewFromOptions(parser, options);
-    if (!view) {
+    std::optional<Series> series = view ? seriesFromOptions(parser, options) : std::nullopt;
+    if (!series) {
         return WrongUsage;
     }
     std::optional<Camera> camera;
@@ -216,11 +263,8 @@ int runRender(const QStringList &arguments)
         return input.error();
     }
     view->camera = camera ? *camera : startCamera(*input->scene, double(view->width) / view->height);
-    const auto picture = draw(input->scene, *view, parser.isSet(options.quiet));
-    if (!picture) {
-        return picture.error();
-    }
-    return writeWhole(parser.value(options.output), png(*picture)) ? Done : CannotDo;
+    series->pivot = pivotOf(view->camera, *input->scene, !camera && !input->scene->camera);
+    return drawSeries(input->scene, *view, *series, parser.isSet(options.quiet));
 }
 
 }
