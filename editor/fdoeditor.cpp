@@ -108,6 +108,19 @@ void FdoEditor::setDiagnostics(const Diagnostics &diagnostics, const TextSnapsho
     m_margin->update();
 }
 
+void FdoEditor::apply(const TextEdits &edits, const TextSnapshot &text)
+{
+    QTextCursor cursor(document());
+    cursor.beginEditBlock();
+    // From the end, so that the places of the others stay what they are.
+    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
+        cursor.setPosition(text.position(edit->range.begin));
+        cursor.setPosition(text.position(edit->range.end), QTextCursor::KeepAnchor);
+        cursor.insertText(QString::fromStdString(edit->text));
+    }
+    cursor.endEditBlock();
+}
+
 void FdoEditor::goTo(SourceRange range, const TextSnapshot &text)
 {
     QTextCursor cursor(document());

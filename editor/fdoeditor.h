@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 
 #include "core/text/diagnostic.h"
+#include "core/text/textedit.h"
 #include "textsnapshot.h"
 
 namespace KSyntaxHighlighting {
@@ -44,6 +45,9 @@ public:
         QString message;
     };
     [[nodiscard]] const std::vector<Problem> &problems() const { return m_problems; }
+
+    /// One undo step. Ranges are of that text, which the document still has.
+    void apply(const TextEdits &edits, const TextSnapshot &text);
 
     /// Puts the cursor at the begin of a range of the text and scrolls there.
     void goTo(SourceRange range, const TextSnapshot &text);

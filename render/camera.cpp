@@ -45,13 +45,11 @@ Camera cameraOf(const SceneDescription::Camera &written)
 SceneDescription::Camera writtenOf(const Camera &camera)
 {
     const bool isOrthographic = camera.projection == Projection::Orthographic;
-    return {camera.position, radiansOf(camera.worldFromCamera), isOrthographic,
-            isOrthographic ? camera.viewHeight : camera.fieldOfView, {}};
-}
-
-Camera startCamera(const Scene &scene, double aspect)
-{
-    return scene.camera ? cameraOf(*scene.camera) : fittedCamera(scene, aspect);
+    return {camera.position,
+            radiansOf(camera.worldFromCamera),
+            isOrthographic,
+            isOrthographic ? camera.viewHeight : camera.fieldOfView,
+            {}};
 }
 
 Camera fittedCamera(const Scene &scene, double aspect)

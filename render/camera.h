@@ -30,9 +30,6 @@ struct Camera {
 /// The other way round, without a range.
 [[nodiscard]] SceneDescription::Camera writtenOf(const Camera &camera);
 
-/// The view that a picture of a scene starts with: the scene's own, or fitted. aspect is width by height.
-[[nodiscard]] Camera startCamera(const Scene &scene, double aspect);
-
 /// A camera that looks along forward with up upwards (any vectors that are not parallel).
 [[nodiscard]] glm::dmat3 rotationLooking(const glm::dvec3 &forward, const glm::dvec3 &up = {0.0, 1.0, 0.0});
 

@@ -28,11 +28,16 @@ std::size_t DepthLooks::memoryUse() const
 void DepthLooks::setSize(int width, int height)
 {
     if (width != m_width || height != m_height) {
-        m_depths.before.clear();
-        m_isFirst = true;
+        forget();
         m_width = width;
         m_height = height;
     }
+}
+
+void DepthLooks::forget()
+{
+    m_depths.before.clear();
+    m_isFirst = true;
 }
 
 void DepthLooks::begin()

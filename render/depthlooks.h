@@ -19,6 +19,8 @@ public:
 
     /// Of the next pictures, in pixels.
     void setSize(int width, int height);
+    /// Nothing was drawn before.
+    void forget();
     /// No picture of this size was completed yet.
     [[nodiscard]] bool isFirst() const { return m_isFirst; }
 

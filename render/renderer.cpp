@@ -108,6 +108,9 @@ public:
             m_pass = std::move(*target);
         }
         m_looks.setSize(view.width, view.height);
+        if (view.standsAlone) {
+            m_looks.forget();
+        }
         m_roughness = m_cut && view.leavesOutHidden && m_looks.isFirst() ? firstRoughness : 1.0;
         beginPass();
     }

@@ -31,6 +31,9 @@ struct View {
     Appearance appearance{};
     /// Copies behind all that is drawn are not sent, which no pixel shows; otherwise all are, to measure what that is worth.
     bool leavesOutHidden = true;
+    /// Nothing is taken from the picture before, not even a guess of what is hidden: equal views make equal pictures, where
+    /// surfaces coincide too.
+    bool standsAlone = false;
     /// sRGB, 0 to 1: a gradient from the top edge to the bottom edge.
     std::array<float, 3> backgroundTop{0.13f, 0.14f, 0.17f};
     std::array<float, 3> backgroundBottom{0.06f, 0.06f, 0.08f};

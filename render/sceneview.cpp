@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -123,6 +124,15 @@ void SceneView::zoom(double factor, const glm::dvec2 &pointer)
     }
     m_orbit.zoom(factor, pointer);
     follow();
+}
+
+Camera SceneView::cameraInWorld() const
+{
+    Camera inWorld = camera();
+    const double unit = std::exp2(m_surroundings->unitExponent);
+    inWorld.position = m_surroundings->origin + unit * inWorld.position;
+    inWorld.viewHeight = std::max(unit * inWorld.viewHeight, std::numeric_limits<double>::min());
+    return inWorld;
 }
 
 std::optional<SceneView::Picked> SceneView::pick(const glm::dvec2 &pointer, double share) const

@@ -54,6 +54,8 @@ public:
 
     /// To begin with another time; there is a scene. The depth is the text's.
     [[nodiscard]] SavedView saved() const;
+    /// As exactly as the world's coordinates can say.
+    [[nodiscard]] Camera cameraInWorld() const;
 
     /// In the coordinates of surroundings().
     [[nodiscard]] const Camera &camera() const { return m_orbit.camera(); }

@@ -180,7 +180,8 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
     }
     SceneResult result = SceneLoader(deepened, std::move(decoder)).load(path, *text);
     if (result.scene && deepened.isInVain()) {
-        complain(QStringLiteral("%1 needs a depth in the file, as in \"<$>. z 6\"").arg(QLatin1String(isEndless ? "--endless" : "--depth")));
+        complain(QStringLiteral("%1 needs a depth in the file, as in \"<$>. z 6\"")
+                     .arg(QLatin1String(isEndless ? "--endless" : "--depth")));
         return std::unexpected(WrongUsage);
     }
     if (result.scene && isEndless && !isConvergent(*result.scene)) {

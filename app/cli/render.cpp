@@ -17,6 +17,7 @@
 #include "input.h"
 #include "output.h"
 #include "painter.h"
+#include "render/sceneview.h"
 #include "turntable.h"
 
 namespace romanesco::cli {
@@ -60,6 +61,8 @@ struct Options {
     QCommandLineOption frames{QStringLiteral("frames"),
                               QStringLiteral("Only these of the pictures of --turntable, from A to B; the first is 0."),
                               QStringLiteral("A..B")};
+    QCommandLineOption endless{QStringLiteral("endless"),
+                               QStringLiteral("As if the depth had no end: detail wherever the view leads.")};
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
 
@@ -83,6 +86,7 @@ std::optional<Colouring> colouringFrom(const QCommandLineParser &parser, const O
 std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Options &options)
 {
     View view;
+    view.standsAlone = true;
     static const QRegularExpression sizePattern(QStringLiteral("^([1-9][0-9]{0,5})x([1-9][0-9]{0,5})$"));
     const QRegularExpressionMatch size = sizePattern.match(parser.value(options.size));
     view.width = size.captured(1).toInt();
@@ -237,7 +241,7 @@ int runRender(const QStringList &arguments)
     const Options options;
     parser.addOptions({options.output, options.size, options.camera, depthOption(), options.tolerance, options.samples,
                        options.background, options.colourBy, options.wireframe, options.turntable, options.frames,
-                       options.quiet});
+                       options.endless, options.quiet});
     const auto file = parseArguments(parser, "render", arguments);
     if (!file) {
         return file.error();
@@ -258,12 +262,26 @@ int runRender(const QStringList &arguments)
             return WrongUsage;
         }
     }
-    const auto input = readInput(*file, parser, decodeImage);
+    const bool isEndless = parser.isSet(options.endless);
+    if (isEndless && parser.isSet(QStringLiteral("depth"))) {
+        complain(QStringLiteral("--endless and --depth exclude each other"));
+        return WrongUsage;
+    }
+    const auto input = readInput(*file, parser, decodeImage, isEndless ? Depths::Endless : Depths::AsViewed);
     if (!input) {
         return input.error();
     }
-    view->camera = camera ? *camera : startCamera(*input->scene, double(view->width) / view->height);
-    series->pivot = pivotOf(view->camera, *input->scene, !camera && !input->scene->camera);
+    SceneView from;
+    from.setScene(input->scene);
+    if (camera) {
+        from.start(*camera);
+    } else {
+        from.start(double(view->width) / view->height);
+    }
+    view->camera = from.camera();
+    view->surroundings = from.surroundings();
+    const bool isFitted = !camera && !input->scene->view && !input->scene->camera;
+    series->pivot = isFitted ? input->scene->extent.centre() : from.pivot();
     return drawSeries(input->scene, *view, *series, parser.isSet(options.quiet));
 }
 

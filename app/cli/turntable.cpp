@@ -5,7 +5,6 @@
 #include <QRegularExpression>
 
 #include "core/geometry/rotation.h"
-#include "render/orbitcamera.h"
 
 namespace romanesco::cli {
 
@@ -68,13 +67,6 @@ std::expected<Turntable, QString> readTurntable(const QString &count, const QStr
                                    .arg(frames));
     }
     return turntable;
-}
-
-glm::dvec3 pivotOf(const Camera &camera, const Scene &scene, bool isFitted)
-{
-    OrbitCamera orbit;
-    orbit.start(camera, scene);
-    return isFitted ? scene.extent.centre() : orbit.pivot();
 }
 
 Camera turned(Camera camera, const glm::dvec3 &pivot, int frame, int count)

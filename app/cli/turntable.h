@@ -35,10 +35,6 @@ struct Turntable {
 /// From what --turntable and --frames say; none of the latter is all. The error is a sentence.
 [[nodiscard]] std::expected<Turntable, QString> readTurntable(const QString &count, const QString &frames);
 
-/// What a camera looks at, to turn about: the middle of the scene where the view is fitted to it, else a point of the camera's
-/// axis (see OrbitCamera::start()).
-[[nodiscard]] glm::dvec3 pivotOf(const Camera &camera, const Scene &scene, bool isFitted);
-
 /// The camera of a frame: it goes to its right, round the vertical line through the pivot. Frame 0 is the camera as it is.
 [[nodiscard]] Camera turned(Camera camera, const glm::dvec3 &pivot, int frame, int count);
 

@@ -198,6 +198,11 @@ void MainWindow::changeAppearance()
 
 void MainWindow::connectViewActions()
 {
+    connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) {
+        m_preview.setEndless(isEndless);
+        build();
+    });
+    connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.fit, &QAction::triggered, &m_viewport, &Viewport::fit);
     connect(m_actions.resetView, &QAction::triggered, &m_viewport, &Viewport::resetView);
     using Side = Viewport::Side;
@@ -392,6 +397,7 @@ void MainWindow::startText()
     m_preview.forget();
     showDiagnostics({}, m_document.text());
     m_textTrouble.clear();
+    m_pictureRemark.clear();
     showTrouble();
     m_depth.clear();
     m_isFirstScene = true;
@@ -415,9 +421,28 @@ void MainWindow::showDiagnostics(const Diagnostics &diagnostics, const TextSnaps
     m_problemsDock->toggleViewAction()->setText(tr("Problems"));
 }
 
+/// As a line of the text.
+void MainWindow::saveView()
+{
+    const SceneView &seen = m_viewport.view();
+    if (m_editor->isReadOnly() || !seen.surroundings()) {
+        return;
+    }
+    SavedView view = seen.saved();
+    view.isEndless = m_preview.isEndless();
+    const TextSnapshot text = m_editor->snapshot();
+    const bool isSdo = fileKind(m_document.scenePath()) == FileKind::Sdo;
+    m_editor->apply(editsToSave(view, writtenOf(seen.cameraInWorld()), text.bytes(), isSdo), text);
+}
+
 void MainWindow::showPreview(const Preview &preview)
 {
     showDiagnostics(preview.diagnostics, preview.text);
+    const bool wantsEndless = m_isFirstScene && preview.scene && preview.scene->view && preview.scene->view->isEndless;
+    if (wantsEndless && !m_preview.isEndless()) {
+        m_actions.endless->setChecked(true);
+        return; // the preview that follows
+    }
     if (preview.scene) {
         if (preview.scene->depth) {
             const SourceRange place = preview.scene->depth->range;
@@ -425,13 +450,14 @@ void MainWindow::showPreview(const Preview &preview)
         } else {
             m_depth.clear();
         }
-        m_viewport.setScene(preview.scene);
+        m_viewport.setScene(preview.shown);
         if (std::exchange(m_isFirstScene, false)) {
             m_viewport.resetView();
         }
     }
     updateDepth();
 
+    m_pictureRemark = preview.remark;
     m_textTrouble = preview.failure;
     const auto error = std::ranges::find_if(preview.diagnostics, &Diagnostic::isError);
     if (error != preview.diagnostics.end()) {
@@ -452,6 +478,8 @@ void MainWindow::showTrouble()
                   true);
     } else if (!m_pictureTrouble.isEmpty()) {
         strip.say(m_pictureTrouble);
+    } else if (!m_pictureRemark.isEmpty()) {
+        strip.say(m_pictureRemark);
     } else {
         strip.fallSilent();
     }

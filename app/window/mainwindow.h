@@ -75,6 +75,7 @@ private:
     void updateTitle();
     void updateDepth();
     void changeAppearance();
+    void saveView();
     void goTo(SourceRange range, const TextSnapshot &text);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
@@ -100,6 +101,7 @@ private:
     SourceRange m_troublePlace;
     TextSnapshot m_troubleText;
     QString m_pictureTrouble;
+    QString m_pictureRemark;
     /// The next scene is the first of its file.
     bool m_isFirstScene = true;
     QString m_graphicsSystem;

@@ -17,6 +17,8 @@ PreviewController::PreviewController(std::unique_ptr<const FileAccess> files, QO
     : QObject(parent)
     , m_files(std::move(files))
     , m_loader(*m_files, decodeImage)
+    , m_endlessFiles(*m_files, DepthChange::endless)
+    , m_endlessLoader(m_endlessFiles, decodeImage)
     , m_counting([this](const CountJob &scene, const std::stop_token &stop) { runCount(scene, stop); })
     , m_building([this](const BuildJob &job, const std::stop_token &stop) { runBuild(job, stop); })
 {
@@ -27,7 +29,7 @@ PreviewController::~PreviewController() = default;
 quint64 PreviewController::build(const std::filesystem::path &path, const TextSnapshot &text)
 {
     ++m_newestRevision;
-    m_building.post({m_newestRevision, path, text});
+    m_building.post({m_newestRevision, path, text, m_isEndless});
     return m_newestRevision;
 }
 
@@ -41,7 +43,9 @@ void PreviewController::forget()
 /// On the building thread, the only one to use the loader.
 void PreviewController::runBuild(const BuildJob &job, const std::stop_token &stop)
 {
-    Preview preview{job.revision, job.text, {}, nullptr, {}};
+    Preview preview;
+    preview.revision = job.revision;
+    preview.text = job.text;
     try {
         SceneResult result = m_loader.load(job.path, job.text.bytes(), stop);
         preview.diagnostics = std::move(result.diagnostics);
@@ -49,6 +53,10 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
         if (preview.scene && fileKind(job.path) == FileKind::Fdo && !stop.stop_requested()) {
             std::ranges::move(stabilityHints(job.text.bytes()), std::back_inserter(preview.diagnostics));
             sortByPlace(preview.diagnostics);
+        }
+        preview.shown = preview.scene;
+        if (preview.scene && job.isEndless && !stop.stop_requested()) {
+            deepen(job, preview, stop);
         }
     } catch (const std::bad_alloc &) {
         // The text is worth more than its picture.
@@ -60,6 +68,19 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
 }
 
 /// On the counting thread.
+void PreviewController::deepen(const BuildJob &job, Preview &preview, const std::stop_token &stop)
+{
+    const bool isFractal = fileKind(job.path) == FileKind::Fdo;
+    const std::string &text = job.text.bytes();
+    const SceneResult deep = m_endlessLoader.load(job.path, isFractal ? m_endlessFiles.changed(text) : text, stop);
+    if (deep.scene && isConvergent(*deep.scene)) {
+        preview.shown = deep.scene;
+    } else {
+        preview.remark = tr("Shown at its own depth: without end there is a picture only where transformations shrink "
+                            "what they repeat.");
+    }
+}
+
 void PreviewController::runCount(const CountJob &scene, const std::stop_token &stop)
 {
     try {

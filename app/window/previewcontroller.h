@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include "core/base/newestjob.h"
+#include "core/scene/depthchange.h"
 #include "core/scene/sceneloader.h"
 #include "core/scene/summary.h"
 #include "editor/textsnapshot.h"
@@ -22,6 +23,10 @@ struct Preview {
     Diagnostics diagnostics;
     /// Null after errors.
     std::shared_ptr<const Scene> scene;
+    /// What is to be seen: the same, or as deep as views go.
+    std::shared_ptr<const Scene> shown;
+    /// Why that is not as deep as was asked for, as a sentence; else empty.
+    QString remark;
     /// Why there is no scene where the text is not to blame, as a sentence; else empty.
     QString failure;
 };
@@ -40,6 +45,10 @@ public:
     /// Starts on a text and returns its revision; paths in it are relative to path's folder. built() follows.
     quint64 build(const std::filesystem::path &path, const TextSnapshot &text);
 
+    /// From the next build() on: scenes are shown as if their depth had no end.
+    void setEndless(bool isEndless) { m_isEndless = isEndless; }
+    [[nodiscard]] bool isEndless() const { return m_isEndless; }
+
     /// The texts that follow are of another file: what was good of the last one is forgotten.
     void forget();
 
@@ -56,15 +65,20 @@ private:
         quint64 revision;
         std::filesystem::path path;
         TextSnapshot text;
+        bool isEndless;
     };
     using CountJob = std::shared_ptr<const Scene>;
 
     void runBuild(const BuildJob &job, const std::stop_token &stop);
+    void deepen(const BuildJob &job, Preview &preview, const std::stop_token &stop);
     void runCount(const CountJob &scene, const std::stop_token &stop);
     void deliver(const Preview &preview);
 
     std::unique_ptr<const FileAccess> m_files;
     SceneLoader m_loader;
+    DepthChange m_endlessFiles;
+    SceneLoader m_endlessLoader;
+    bool m_isEndless = false;
     quint64 m_newestRevision = 0;
     std::shared_ptr<const Scene> m_lastGoodScene;
     /// Counting has a thread of its own: it may take a second, and the next picture does not wait for it.

@@ -50,6 +50,8 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , paste(make(window, tr("&Paste"), QKeySequence::Paste))
     , selectAll(make(window, tr("Select &All"), QKeySequence::SelectAll))
     , nextProblem(make(window, tr("&Next Problem"), Qt::CTRL | Qt::ALT | Qt::Key_E))
+    , endless(make(window, tr("&Endless")))
+    , saveView(make(window, tr("Sa&ve View in Text")))
     , fit(makeFor(viewport, tr("&Fit"), Qt::Key_F))
     , resetView(makeFor(viewport, tr("&Reset View"), Qt::Key_Home))
     , front(makeFor(viewport, tr("Fr&ont"), Qt::Key_1))
@@ -78,6 +80,8 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
         action->setChecked(action != wireframe);
     }
     orthographic->setCheckable(true);
+    endless->setCheckable(true);
+    endless->setToolTip(tr("Detail wherever the view leads, as if the depth had no end"));
     orthographic->setIconText(tr("Ortho"));
     fullScreen->setCheckable(true);
     // What most keyboards have without Shift.
@@ -106,6 +110,8 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addSeparator();
     view->addActions({front, right, top, orthographic});
     view->addSeparator();
+    view->addActions({endless, saveView});
+    view->addSeparator();
     view->addMenu(tr("&Colour By"))->addActions(colouring->actions());
     view->addActions({wireframe, lighting, textures, smooth});
     view->addSeparator();
@@ -127,7 +133,7 @@ void WindowActions::fill(QToolBar &bar) const
     bar.addSeparator();
     bar.addActions({undo, redo});
     bar.addSeparator();
-    bar.addActions({fit, orthographic});
+    bar.addActions({fit, orthographic, endless});
     bar.addSeparator();
 }
 

@@ -42,6 +42,8 @@ public:
     QAction *selectAll;
     QAction *nextProblem;
 
+    QAction *endless;
+    QAction *saveView;
     QAction *fit;
     QAction *resetView;
     QAction *front;

@@ -35,8 +35,11 @@ std::optional<SceneDescription::Camera> cameraFrom(std::string_view words)
     if (!camera || read.isBad || hasErrors(read.diagnostics) || read.range.end != line.size()) {
         return std::nullopt;
     }
-    return SceneDescription::Camera{
-        camera->position.value, camera->rotation.value, camera->isOrthographic, camera->view.value, {}};
+    return SceneDescription::Camera{camera->position.value,
+                                    camera->rotation.value,
+                                    camera->isOrthographic,
+                                    camera->view.value,
+                                    {}};
 }
 
 /// Takes an expected text off the front of the words.
@@ -102,6 +105,18 @@ std::optional<SavedView> viewFrom(std::string_view line)
     return view;
 }
 
+/// The camera's declaration in an .sdo text, whatever else is wrong with that.
+std::optional<SourceRange> cameraIn(std::string_view text)
+{
+    const SdoSyntax syntax{std::string(text)};
+    for (std::size_t line = 0; line < syntax.lineCount(); ++line) {
+        if (std::holds_alternative<CameraLine>(syntax.line(line).declaration)) {
+            return syntax.range(line, syntax.line(line).range);
+        }
+    }
+    return std::nullopt;
+}
+
 }
 
 std::string cameraLine(const SceneDescription::Camera &camera)
@@ -138,6 +153,38 @@ std::optional<std::pair<SavedView, SourceRange>> findView(std::string_view text)
         begin = end + 1;
     }
     return std::nullopt;
+}
+
+TextEdits editsToSave(const SavedView &view, const SceneDescription::Camera &inWorld, std::string_view text, bool isSdo)
+{
+    const auto found = findView(text);
+    const std::optional<SourceRange> camera = isSdo ? cameraIn(text) : std::nullopt;
+    const bool isCameraAll = isSdo && !view.place && !view.isEndless;
+    std::string top;
+    TextEdits edits;
+    const auto put = [&](std::optional<SourceRange> range, std::string line) {
+        if (range) {
+            edits.push_back({*range, std::move(line)});
+        } else {
+            top += line + "\n";
+        }
+    };
+    if (!isCameraAll) {
+        put(found ? std::optional(found->second) : std::nullopt, viewLine(view));
+    } else if (found) {
+        // with its line end
+        const std::string_view rest = text.substr(found->second.end);
+        const std::size_t lineEnd = rest.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest.size(), 1);
+        edits.push_back({{found->second.begin, found->second.end + lineEnd}, {}});
+    }
+    if (isSdo) {
+        put(camera, cameraLine(inWorld));
+    }
+    std::ranges::sort(edits, {}, [](const TextEdit &edit) { return edit.range.begin; });
+    if (!top.empty()) {
+        edits.insert(edits.begin(), {{0, 0}, top});
+    }
+    return edits;
 }
 
 }

@@ -11,6 +11,7 @@
 #include "core/formats/scenedescription.h"
 #include "core/fractal/step.h"
 #include "core/text/sourcerange.h"
+#include "core/text/textedit.h"
 
 namespace romanesco {
 
@@ -45,5 +46,11 @@ struct SavedView {
 
 /// The first such comment of an .fdo or .sdo text, and where it is, without its line end. Any other comment is no view.
 [[nodiscard]] std::optional<std::pair<SavedView, SourceRange>> findView(std::string_view text);
+
+/// What of a text becomes another when a view is kept in it. An .sdo gets the camera in its camera's line, in world
+/// coordinates as well as those can say it, and the comment above only where that is not all; any other text gets the comment.
+/// Both go to where they are, or to the top.
+[[nodiscard]] TextEdits editsToSave(const SavedView &view, const SceneDescription::Camera &inWorld,
+                                    std::string_view text, bool isSdo);
 
 }

@@ -94,14 +94,6 @@ private Q_SLOTS:
         QVERIFY(orthographic.projection == Projection::Orthographic && orthographic.viewHeight == 35.0);
     }
 
-    void aSceneWithoutACameraIsFitted()
-    {
-        Scene scene = *test::sceneOf("<$>. \"box.obj\"\n");
-        QVERIFY(startCamera(scene, 1.5) == fittedCamera(scene, 1.5));
-        scene.camera = SceneDescription::Camera{{1, 2, 3}, {0.1, 0.2, 0.3}, false, 35, {}};
-        QVERIFY(startCamera(scene, 1.5) == cameraOf(*scene.camera));
-    }
-
     void viewsOfEveryWidthAreNumbers_data()
     {
         QTest::addColumn<double>("view");
@@ -155,7 +147,7 @@ private Q_SLOTS:
         const auto scene = test::sceneOf("<$>. \"box.obj\"\n");
         const Camera camera = cameraOf({position, rotation, false, 40, {}});
         OrbitCamera orbit;
-        orbit.start(camera, *scene);
+        orbit.start(camera, test::around(*scene));
         QVERIFY(orbit.camera() == camera);
         const glm::dvec3 pivot = onScreen(camera, orbit.pivot(), 1.0);
         QVERIFY(pivot.z > 0.0 && std::abs(pivot.x) < 1e-9 && std::abs(pivot.y) < 1e-9);

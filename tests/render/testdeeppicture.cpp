@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/base/file.h"
+#include "core/scene/depthchange.h"
 #include "drawing.h"
 #include "render/depthpyramid.h"
 #include "render/sceneview.h"
@@ -49,6 +50,9 @@ private Q_SLOTS:
     void placesInsideShowWhatTheWorldShows();
     void spongesLookTheSameAtAnyDepth();
     void anotherTextKeepsThePlace();
+    void savedViewsAreTheSamePictures_data();
+    void savedViewsAreTheSamePictures();
+    void aViewWhoseWayIsGoneIsNoView();
     void coloursAndSelectionsReachInside();
     void picturesOfOtherScenesAreNotMixedUp();
     void whatIsLeftOutIsNotSeen_data();
@@ -79,8 +83,9 @@ void TestDeepPicture::placesInsideShowWhatTheWorldShows()
     inside.start(double(width) / height);
     inside.setProjection(isPerspective ? Projection::Perspective : Projection::Orthographic);
     OrbitCamera outside;
-    outside.start(startCamera(*scene, double(width) / height), *scene);
-    if (!scene->camera) {
+    if (scene->camera) {
+        outside.start(cameraOf(*scene->camera), around(*scene));
+    } else {
         outside.fit(*scene, double(width) / height);
     }
     outside.setProjection(inside.camera().projection);
@@ -160,6 +165,70 @@ void TestDeepPicture::anotherTextKeepsThePlace()
     QVERIFY(glm::distance(placeInWorld(view), expected) < 1e-9);
     view.setScene(nullptr);
     QVERIFY(!view.surroundings());
+}
+
+void TestDeepPicture::savedViewsAreTheSamePictures_data()
+{
+    QTest::addColumn<int>("zooms");
+    QTest::addColumn<bool>("isPerspective");
+    QTest::newRow("from outside") << 0 << true;
+    QTest::newRow("a little inside") << 12 << true;
+    QTest::newRow("deep inside") << 700 << true;
+    QTest::newRow("deep inside, orthographic") << 700 << false;
+}
+
+/// To the bit, through the text.
+void TestDeepPicture::savedViewsAreTheSamePictures()
+{
+    QFETCH(const int, zooms);
+    QFETCH(const bool, isPerspective);
+    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/menger.fdo";
+    const DiskFiles files;
+    const DepthChange endless(files, DepthChange::endless);
+    const std::string text = endless.changed(files.read(path).value());
+    const auto load = [&](const std::string &line) { return SceneLoader(files).load(path, line + "\n" + text).scene; };
+    SceneView from;
+    const auto scene = load("");
+    from.setScene(scene);
+    from.setRayWalk(std::make_shared<SceneRayWalk>(SceneRayWalk::create(scene).value()));
+    from.start(double(width) / height);
+    from.setProjection(isPerspective ? Projection::Perspective : Projection::Orthographic);
+    from.orbit({0.13, 0.07});
+    for (int i = 0; i < zooms; ++i) {
+        from.zoom(0.7, {0.03, 0.02});
+    }
+    const std::string line = viewLine(from.saved());
+    const auto saved = load(line);
+    QVERIFY2(saved && saved->view, line.c_str());
+    QVERIFY(zooms < 100 || saved->view->place->steps.size() > 100);
+    SceneView again;
+    again.setScene(saved);
+    again.start(double(width) / height);
+    QVERIFY(again.camera().position == from.camera().position);
+    const Picture expected = draw(scene, viewOf(from));
+    QVERIFY(shareOfBackground(expected) < 0.999);
+    // The angles are rounded once.
+    const double off = shareOfDifferent(expected, draw(saved, viewOf(again)));
+    QVERIFY2(off < 1e-3, qPrintable(QString::number(off)));
+}
+
+void TestDeepPicture::aViewWhoseWayIsGoneIsNoView()
+{
+    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/sierpinski.fdo";
+    const DiskFiles files;
+    const std::string text = files.read(path).value();
+    SceneView fitted;
+    fitted.setScene(SceneLoader(files).load(path, text).scene);
+    fitted.start(1.5);
+    for (const char *place : {"in 1: ", "in 0: 7.0 ", "in 0: 0.9 ", "in 0: 0.0*7 "}) {
+        const std::string line = std::string("# view: ") + place + "at (1, 2, 3) # 60\n";
+        const auto scene = SceneLoader(files).load(path, line + text).scene;
+        QVERIFY2(scene->view, line.c_str());
+        SceneView view;
+        view.setScene(scene);
+        view.start(1.5);
+        QVERIFY(view.camera() == fitted.camera());
+    }
 }
 
 void TestDeepPicture::coloursAndSelectionsReachInside()

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include <QTest>
 #include <boost/math/constants/constants.hpp>
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void theOriginIsSeenWhereAppendixASeesIt();
     void anglesApplyInTheOrderPitchYawRoll();
     void rotationsKeepLengthAndHandedness();
+    void anglesAreFoundAgain();
 };
 
 void TestRotation::quadrantAnglesAreExact_data()
@@ -160,6 +162,35 @@ void TestRotation::rotationsKeepLengthAndHandedness()
         }
         RC_ASSERT(std::abs(glm::determinant(rotation) - 1.0) < 1e-15);
     }));
+}
+
+/// The same rotation, from angles in their ranges; straight up and nearly so too.
+void TestRotation::anglesAreFoundAgain()
+{
+    const double quarter = 0.5 * std::numbers::pi;
+    const auto check = [&](const glm::dvec3 &radians) {
+        const glm::dmat3 rotation = rotationFromRadians(radians);
+        const glm::dvec3 found = radiansOf(rotation);
+        const glm::dmat3 again = rotationFromRadians(found);
+        for (int column = 0; column < 3; ++column) {
+            QVERIFY(glm::distance(rotation[column], again[column]) < 1e-11);
+        }
+        QVERIFY(std::abs(found.y) <= quarter && std::abs(found.x) <= 2 * quarter && std::abs(found.z) <= 2 * quarter);
+        if (std::abs(std::abs(radians.y) - quarter) < 1e-15) {
+            QVERIFY(found.z == 0.0);
+        }
+    };
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> angle(-4.0, 4.0);
+    for (int i = 0; i < 2'000; ++i) {
+        check({angle(random), angle(random), angle(random)});
+        const double away = std::pow(10.0, -16.0 * std::abs(angle(random)) / 4.0);
+        check({angle(random), (i % 2 ? 1.0 : -1.0) * (quarter - away), angle(random)});
+        check({angle(random), i % 2 ? quarter : -quarter, angle(random)});
+    }
+    for (const glm::dvec3 &radians : {glm::dvec3(0.0), glm::dvec3(-0.07, -2.49, 0.0), glm::dvec3(quarter, 0.0, 0.0)}) {
+        check(radians);
+    }
 }
 
 }
