@@ -17,6 +17,9 @@ namespace {
 /// A ray that comes past very many copies ends there, lest a pointer that moves wait for it.
 constexpr std::uint64_t mostNodes = 100'000;
 
+/// As well as this part of a node the camera's place has to be known there.
+constexpr double finePlace = 1e-8;
+
 }
 
 void SceneView::setScene(std::shared_ptr<const Scene> scene)
@@ -78,12 +81,12 @@ bool SceneView::startFrom(const SavedView &view)
 
 SavedView SceneView::saved() const
 {
-    SavedView view;
-    if (!m_anchor->isInWorld()) {
-        view.place = {m_surroundings->pathItem, m_surroundings->path};
+    const Camera inWorld = cameraInWorld();
+    const double rounding = std::numeric_limits<double>::epsilon() * glm::length(inWorld.position);
+    if (m_anchor->isInWorld() || rounding < finePlace * std::exp2(m_surroundings->unitExponent)) {
+        return {.place = {}, .camera = writtenOf(inWorld)};
     }
-    view.camera = writtenOf(camera());
-    return view;
+    return {.place = SavedView::Place{m_surroundings->pathItem, m_surroundings->path}, .camera = writtenOf(camera())};
 }
 
 void SceneView::refit(double aspect)

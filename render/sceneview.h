@@ -52,7 +52,8 @@ public:
     /// Copies narrower than a share of the view's height are found as they are drawn, several as one. Costs microseconds.
     [[nodiscard]] std::optional<Picked> pick(const glm::dvec2 &pointer, double share) const;
 
-    /// To begin with another time; there is a scene. The depth is the text's.
+    /// To begin with another time; there is a scene. Counted from the world as long as its coordinates are exact enough. The
+    /// depth is the text's.
     [[nodiscard]] SavedView saved() const;
     /// As exactly as the world's coordinates can say.
     [[nodiscard]] Camera cameraInWorld() const;

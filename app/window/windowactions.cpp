@@ -50,14 +50,14 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , paste(make(window, tr("&Paste"), QKeySequence::Paste))
     , selectAll(make(window, tr("Select &All"), QKeySequence::SelectAll))
     , nextProblem(make(window, tr("&Next Problem"), Qt::CTRL | Qt::ALT | Qt::Key_E))
-    , endless(make(window, tr("&Endless")))
-    , saveView(make(window, tr("Sa&ve View in Text")))
     , fit(makeFor(viewport, tr("&Fit"), Qt::Key_F))
     , resetView(makeFor(viewport, tr("&Reset View"), Qt::Key_Home))
     , front(makeFor(viewport, tr("Fr&ont"), Qt::Key_1))
     , right(makeFor(viewport, tr("&Side"), Qt::Key_3))
     , top(makeFor(viewport, tr("&Top"), Qt::Key_7))
     , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
+    , endless(makeFor(viewport, tr("&Endless"), Qt::Key_E))
+    , saveView(make(window, tr("Sa&ve View in Text")))
     , colouring(new QActionGroup(&window))
     , wireframe(make(window, tr("&Wireframe")))
     , lighting(make(window, tr("&Lighting")))
@@ -81,7 +81,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     }
     orthographic->setCheckable(true);
     endless->setCheckable(true);
-    endless->setToolTip(tr("Detail wherever the view leads, as if the depth had no end"));
+    endless->setStatusTip(tr("Detail wherever the view leads, as if the depth had no end"));
     orthographic->setIconText(tr("Ortho"));
     fullScreen->setCheckable(true);
     // What most keyboards have without Shift.

@@ -17,7 +17,7 @@ namespace romanesco {
 struct WindowActions {
     Q_DECLARE_TR_FUNCTIONS(WindowActions)
 public:
-    /// viewport is the widget whose keys (F, Home, 1, 3, 7, 5) work only while it has the focus.
+    /// viewport is the widget whose keys (F, Home, E, 1, 3, 7, 5) work only while it has the focus.
     WindowActions(QWidget &window, QWidget &viewport);
 
     /// Returns the menus that the window adds to.
@@ -42,14 +42,14 @@ public:
     QAction *selectAll;
     QAction *nextProblem;
 
-    QAction *endless;
-    QAction *saveView;
     QAction *fit;
     QAction *resetView;
     QAction *front;
     QAction *right;
     QAction *top;
     QAction *orthographic;
+    QAction *endless;
+    QAction *saveView;
     /// One of them is checked: materials, depth, branch, set.
     QActionGroup *colouring;
     QAction *wireframe;

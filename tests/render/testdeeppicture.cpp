@@ -204,7 +204,12 @@ void TestDeepPicture::savedViewsAreTheSamePictures()
     SceneView again;
     again.setScene(saved);
     again.start(double(width) / height);
-    QVERIFY(again.camera().position == from.camera().position);
+    QVERIFY(bool(saved->view->place) == (zooms > 100));
+    if (zooms > 100) {
+        QVERIFY(again.camera().position == from.camera().position);
+    } else {
+        QVERIFY(glm::distance(again.cameraInWorld().position, from.cameraInWorld().position) < 1e-15);
+    }
     const Picture expected = draw(scene, viewOf(from));
     QVERIFY(shareOfBackground(expected) < 0.999);
     // The angles are rounded once.

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <QAction>
+#include <QWheelEvent>
+
+#include <glm/geometric.hpp>
+
+#include "windowsample.h"
+
+using namespace romanesco;
+using Sample = romanesco::test::WindowSample;
+
+namespace {
+
+QAction &action(Sample &sample, const QString &text)
+{
+    for (QAction *action : sample.window.findChildren<QAction *>()) {
+        if (QString(action->text()).remove(u'&') == text) {
+            return *action;
+        }
+    }
+    qFatal("no action %s", qPrintable(text));
+}
+
+/// Turns the wheel so often, over what the middle of the picture shows.
+void zoom(Sample &sample, int notches)
+{
+    const QPointF middle(sample.viewport.width() / 2.0 + 8.0, sample.viewport.height() / 2.0 + 5.0);
+    for (int i = 0; i < notches; ++i) {
+        QWheelEvent event(middle, sample.viewport.mapToGlobal(middle), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&sample.viewport, &event);
+    }
+}
+
+bool waitForSurfaces(const Sample &sample)
+{
+    return QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 20'000);
+}
+
+/// Waits for the other scene.
+bool goEndless(Sample &sample)
+{
+    const auto scene = [&] { return sample.viewport.view().surroundings()->scene; };
+    const auto before = scene();
+    action(sample, QStringLiteral("Endless")).trigger();
+    return QTest::qWaitFor([&] { return scene() != before; }, 20'000);
+}
+
+std::size_t depthOfView(const Sample &sample)
+{
+    return sample.viewport.view().surroundings()->path.size();
+}
+
+}
+
+/// Views without end, and views that are kept in the text.
+class TestSavedViews : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void endlessGoesDeeperThanTheText();
+    void whatDoesNotShrinkIsShownAsItIs();
+    void aDeepViewIsKeptInTheText();
+    void aSceneKeepsItsCamera();
+};
+
+void TestSavedViews::endlessGoesDeeperThanTheText()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(QStringLiteral(":/examples/menger.fdo")));
+    QVERIFY(sample.waitForPicture());
+    zoom(sample, 1);
+    QVERIFY(waitForSurfaces(sample));
+    zoom(sample, 200);
+    QVERIFY(depthOfView(sample) <= 4);
+    const QString text = sample.editor.toPlainText();
+    sample.viewport.resetView();
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(goEndless(sample));
+    zoom(sample, 1);
+    QVERIFY(waitForSurfaces(sample));
+    zoom(sample, 200);
+    QVERIFY(depthOfView(sample) > 15);
+    QCOMPARE(sample.strip(), QString());
+    // The text and its depth stay what they are.
+    QCOMPARE(sample.editor.toPlainText(), text);
+    action(sample, QStringLiteral("Endless")).trigger();
+    QVERIFY(QTest::qWaitFor([&] { return depthOfView(sample) <= 4; }, 20'000));
+}
+
+void TestSavedViews::whatDoesNotShrinkIsShownAsItIs()
+{
+    Sample sample;
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    QVERIFY(sample.window.openFile(sample.write(
+        QStringLiteral("row.fdo"), "step 3 0 0\nto.p. (p, #, #)\nx. \"cube.obj\"\nz<x>. [#, to.step] x\n<$>. z 5\n")));
+    QVERIFY(sample.waitForPicture());
+    const std::uint64_t drawn = sample.drawn;
+    action(sample, QStringLiteral("Endless")).trigger();
+    QVERIFY(sample.waitForStrip(true));
+    QVERIFY2(sample.strip().contains(QStringLiteral("own depth")), qPrintable(sample.strip()));
+    QVERIFY(sample.waitForPicture());
+    QCOMPARE(sample.drawn, drawn);
+    action(sample, QStringLiteral("Endless")).trigger();
+    QVERIFY(sample.waitForStrip(false));
+}
+
+void TestSavedViews::aDeepViewIsKeptInTheText()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(QStringLiteral(":/examples/menger.fdo")));
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(sample.window.saveFile(sample.path(QStringLiteral("mine.fdo"))));
+    QVERIFY(goEndless(sample));
+    zoom(sample, 1);
+    QVERIFY(waitForSurfaces(sample));
+    zoom(sample, 250);
+    const std::size_t depth = depthOfView(sample);
+    const glm::dvec3 position = sample.viewport.camera().position;
+    QVERIFY(depth > 15);
+    const QString before = sample.editor.toPlainText();
+    action(sample, QStringLiteral("Save View in Text")).trigger();
+    QVERIFY2(sample.editor.toPlainText().startsWith(QStringLiteral("# view: endless, in 0: ")),
+             qPrintable(sample.editor.toPlainText().left(80)));
+    // One step back and forth.
+    sample.editor.undo();
+    QCOMPARE(sample.editor.toPlainText(), before);
+    sample.editor.redo();
+    QVERIFY(sample.window.saveFile(sample.path(QStringLiteral("mine.fdo"))));
+
+    Sample other;
+    QVERIFY(other.waitForPicture());
+    QVERIFY(other.window.openFile(sample.path(QStringLiteral("mine.fdo"))));
+    QVERIFY(QTest::qWaitFor([&] { return depthOfView(other) == depth; }, 20'000));
+    QVERIFY(other.viewport.camera().position == position);
+    QVERIFY(action(other, QStringLiteral("Endless")).isChecked());
+}
+
+void TestSavedViews::aSceneKeepsItsCamera()
+{
+    Sample sample;
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    const QString file = sample.write(QStringLiteral("s.sdo"), "# mine\nc (0, 0, -5) # 40 # look\no \"cube.obj\" #\n");
+    QVERIFY(sample.window.openFile(file));
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.camera().position == glm::dvec3(0, 0, -5); }, 20'000));
+    QVERIFY(sample.waitForPicture());
+    QTest::keyClick(&sample.viewport, Qt::Key_Right);
+    QTest::keyClick(&sample.viewport, Qt::Key_Up);
+    const Camera turned = sample.viewport.view().cameraInWorld();
+    action(sample, QStringLiteral("Save View in Text")).trigger();
+    const QStringList lines = sample.editor.toPlainText().split(u'\n');
+    QCOMPARE(lines.size(), 4);
+    QCOMPARE(lines[0], QStringLiteral("# mine"));
+    QVERIFY2(lines[1].startsWith(QStringLiteral("c (")) && lines[1].endsWith(QStringLiteral("40 perspective # look")),
+             qPrintable(lines[1]));
+    QVERIFY(sample.waitForPicture());
+    const Camera again = sample.viewport.view().cameraInWorld();
+    QVERIFY(glm::distance(again.position, turned.position) < 1e-9);
+    QVERIFY(glm::distance(again.worldFromCamera[2], turned.worldFromCamera[2]) < 1e-12);
+}
+
+int main(int argc, char **argv)
+{
+    return romanesco::test::runWithGl<TestSavedViews>(argc, argv);
+}
+#include "testsavedviews.moc"
