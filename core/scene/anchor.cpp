@@ -61,6 +61,14 @@ glm::dvec3 Surroundings::hereFromWorld(const glm::dvec3 &inWorld) const
     return away / length * std::min(std::exp2(std::min(exponent, 1000.0)), farthest);
 }
 
+void Surroundings::measureReach()
+{
+    reach = nearby.radius;
+    for (const Node &node : nodes) {
+        reach = std::max(reach, reachOf(*this, node));
+    }
+}
+
 Anchor::Anchor(std::shared_ptr<const Scene> scene)
     : m_scene(std::move(scene))
 {
@@ -350,10 +358,7 @@ std::shared_ptr<const Surroundings> Anchor::surroundings() const
     if (m_levels.empty()) {
         addSiblings(0, size, origin, found);
     }
-    found.reach = found.nearby.radius;
-    for (const Surroundings::Node &node : found.nodes) {
-        found.reach = std::max(found.reach, reachOf(found, node));
-    }
+    found.measureReach();
     const auto itemOf = [](const Surroundings::Node &node) { return node.item; };
     std::ranges::stable_sort(found.nodes, {}, itemOf);
     for (const Level &level : m_levels) {

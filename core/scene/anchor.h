@@ -44,6 +44,9 @@ struct Surroundings {
 
     /// To the coordinates of the place. What is too far away for a double stays in its direction.
     [[nodiscard]] glm::dvec3 hereFromWorld(const glm::dvec3 &inWorld) const;
+
+    /// Sets reach, from the nodes and what is nearby.
+    void measureReach();
 };
 
 /// A place in a scene that coordinates are counted from, so that what is near it keeps its precision however deep it lies
