@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/base/file.h"
 #include "core/scene/anchor.h"
 #include "core/scene/sceneloader.h"
 
@@ -49,6 +50,19 @@ inline std::shared_ptr<const Scene> sceneOf(const std::string &text,
     TableFiles files;
     files.files["box.obj"] = mesh;
     return SceneLoader(files).load("test.fdo", text).scene;
+}
+
+/// One that comes with the program, of another depth if there is one given.
+inline std::shared_ptr<const Scene> example(const std::string &name, const std::string &depth = {})
+{
+    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/" + name;
+    const DiskFiles files;
+    std::string text = files.read(path).value();
+    if (!depth.empty()) {
+        const std::size_t last = text.rfind(' ', text.find_last_of("0123456789"));
+        text = text.substr(0, last + 1) + depth + "\n";
+    }
+    return SceneLoader(files).load(path, text).scene;
 }
 
 /// Round the whole scene.

@@ -26,18 +26,6 @@ View viewOf(const SceneView &from)
     return view;
 }
 
-std::shared_ptr<const Scene> example(const std::string &name, const std::string &depth = {})
-{
-    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/" + name;
-    const DiskFiles files;
-    std::string text = files.read(path).value();
-    if (!depth.empty()) {
-        const std::size_t last = text.rfind(' ', text.find_last_of("0123456789"));
-        text = text.substr(0, last + 1) + depth + "\n";
-    }
-    return SceneLoader(files).load(path, text).scene;
-}
-
 }
 
 /// Views that are counted from places inside.
