@@ -40,15 +40,19 @@ bool waitForSurfaces(const Sample &sample)
 /// Waits for the other scene.
 bool goEndless(Sample &sample)
 {
-    const auto scene = [&] { return sample.viewport.view().surroundings()->scene; };
+    const auto scene = [&] {
+        const auto surroundings = sample.viewport.view().surroundings();
+        return surroundings ? surroundings->scene : nullptr;
+    };
     const auto before = scene();
     action(sample, QStringLiteral("Endless")).trigger();
-    return QTest::qWaitFor([&] { return scene() != before; }, 20'000);
+    return QTest::qWaitFor([&] { return scene() && scene() != before; }, 20'000);
 }
 
 std::size_t depthOfView(const Sample &sample)
 {
-    return sample.viewport.view().surroundings()->path.size();
+    const auto surroundings = sample.viewport.view().surroundings();
+    return surroundings ? surroundings->path.size() : 0;
 }
 
 }
