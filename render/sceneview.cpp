@@ -133,7 +133,7 @@ Camera SceneView::cameraInWorld() const
 {
     Camera inWorld = camera();
     const double unit = std::exp2(m_surroundings->unitExponent);
-    inWorld.position = m_surroundings->origin + unit * inWorld.position;
+    inWorld.position = m_surroundings->worldFromHere(inWorld.position);
     inWorld.viewHeight = std::max(unit * inWorld.viewHeight, std::numeric_limits<double>::min());
     return inWorld;
 }

@@ -14,6 +14,7 @@
 
 #include "app/imagedecoder.h"
 #include "core/formats/sdoreader.h"
+#include "core/scene/dynamicfractal.h"
 #include "input.h"
 #include "output.h"
 #include "painter.h"
@@ -63,6 +64,11 @@ struct Options {
                               QStringLiteral("A..B")};
     QCommandLineOption endless{QStringLiteral("endless"),
                                QStringLiteral("As if the depth had no end: detail wherever the view leads.")};
+    QCommandLineOption trail{
+        QStringLiteral("trail"),
+        QStringLiteral("Zoom as the dissertation does (4.3.2): the whole fractal stands where the copy "
+                       "nearest to the camera is, N levels back."),
+        QStringLiteral("N")};
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
 
@@ -160,6 +166,8 @@ struct Series {
     /// None for a single picture, which goes to the output by its own name.
     std::optional<FramePattern> names;
     QString output;
+    /// Of the dissertation's zoom, where that is asked for.
+    std::optional<std::size_t> trail;
 
     [[nodiscard]] QString name(int frame) const { return names ? names->name(frame) : output; }
     [[nodiscard]] bool isSingle() const { return turntable.count == 1; }
@@ -170,6 +178,14 @@ std::optional<Series> seriesFromOptions(const QCommandLineParser &parser, const 
 {
     Series series;
     series.output = parser.value(options.output);
+    if (parser.isSet(options.trail)) {
+        bool isNumber = false;
+        series.trail = parser.value(options.trail).toUInt(&isNumber);
+        if (!isNumber) {
+            complain(QStringLiteral("--trail takes a whole number, not \"%1\"").arg(parser.value(options.trail)));
+            return std::nullopt;
+        }
+    }
     if (!parser.isSet(options.turntable)) {
         if (parser.isSet(options.frames)) {
             complain(QStringLiteral("--frames needs --turntable"));
@@ -218,6 +234,9 @@ int drawSeries(const std::shared_ptr<const Scene> &scene, View view, const Serie
     const Turntable &turntable = series.turntable;
     for (int frame = turntable.first; frame <= turntable.last; ++frame) {
         view.camera = turned(start, series.pivot, frame, turntable.count);
+        if (series.trail) {
+            view.surroundings = dynamicSurroundings(scene, view.camera.position, *series.trail);
+        }
         const QString what = series.isSingle()
             ? QStringLiteral("drawing")
             : QStringLiteral("drawing picture %1 up to %2").arg(frame).arg(turntable.last);
@@ -241,7 +260,7 @@ int runRender(const QStringList &arguments)
     const Options options;
     parser.addOptions({options.output, options.size, options.camera, depthOption(), options.tolerance, options.samples,
                        options.background, options.colourBy, options.wireframe, options.turntable, options.frames,
-                       options.endless, options.quiet});
+                       options.endless, options.trail, options.quiet});
     const auto file = parseArguments(parser, "render", arguments);
     if (!file) {
         return file.error();
@@ -282,6 +301,10 @@ int runRender(const QStringList &arguments)
     view->surroundings = from.surroundings();
     const bool isFitted = !camera && !input->scene->view && !input->scene->camera;
     series->pivot = isFitted ? input->scene->extent.centre() : from.pivot();
+    if (series->trail) {
+        view->camera = from.cameraInWorld();
+        series->pivot = from.surroundings()->worldFromHere(series->pivot);
+    }
     return drawSeries(input->scene, *view, *series, parser.isSet(options.quiet));
 }
 

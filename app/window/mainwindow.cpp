@@ -202,6 +202,10 @@ void MainWindow::connectViewActions()
         m_preview.setEndless(isEndless);
         build();
     });
+    connect(m_actions.trail, &QActionGroup::triggered, this, [this](const QAction *action) {
+        const QVariant levels = action->data();
+        m_viewport.setTrail(levels.isValid() ? std::optional<std::size_t>(levels.toUInt()) : std::nullopt);
+    });
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.fit, &QAction::triggered, &m_viewport, &Viewport::fit);
     connect(m_actions.resetView, &QAction::triggered, &m_viewport, &Viewport::resetView);

@@ -13,6 +13,8 @@
 #include <QOpenGLContext>
 #include <QWheelEvent>
 
+#include "core/scene/dynamicfractal.h"
+
 namespace romanesco {
 
 namespace {
@@ -234,6 +236,10 @@ void Viewport::begin(const Request &wanted)
     View view;
     view.camera = camera();
     view.surroundings = m_view.surroundings();
+    if (m_trail && m_scene) {
+        view.camera = m_view.cameraInWorld();
+        view.surroundings = dynamicSurroundings(m_scene, view.camera.position, *m_trail);
+    }
     view.appearance = m_appearance;
     view.width = wanted.width;
     view.height = wanted.height;
@@ -352,6 +358,14 @@ void Viewport::setAppearance(const Appearance &appearance)
 {
     if (appearance != m_appearance) {
         m_appearance = appearance;
+        cameraChanged();
+    }
+}
+
+void Viewport::setTrail(std::optional<std::size_t> trail)
+{
+    if (trail != m_trail) {
+        m_trail = trail;
         cameraChanged();
     }
 }

@@ -38,6 +38,10 @@ public:
     void lookFrom(Side side);
     void setProjection(Projection projection);
 
+    /// Zooms as the dissertation does, with so long a trail (see dynamicSurroundings()); nothing goes in as deep as there are
+    /// levels.
+    void setTrail(std::optional<std::size_t> trail);
+
     /// How surfaces are drawn; the copy that was clicked stands out.
     void setAppearance(const Appearance &appearance);
     [[nodiscard]] const Appearance &appearance() const { return m_appearance; }
@@ -116,6 +120,7 @@ private:
 
     SceneView m_view;
     Appearance m_appearance;
+    std::optional<std::size_t> m_trail;
     /// The scene that m_finding was given last.
     std::weak_ptr<const Scene> m_sought;
     quint64 m_cameraRevision = 0;

@@ -58,6 +58,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
     , endless(makeFor(viewport, tr("&Endless"), Qt::Key_E))
     , saveView(make(window, tr("Sa&ve View in Text")))
+    , trail(new QActionGroup(&window))
     , colouring(new QActionGroup(&window))
     , wireframe(make(window, tr("&Wireframe")))
     , lighting(make(window, tr("&Lighting")))
@@ -79,6 +80,17 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
         action->setCheckable(true);
         action->setChecked(action != wireframe);
     }
+    const auto addTrail = [&](const QString &words, const QVariant &levels) {
+        QAction *action = make(window, words);
+        action->setCheckable(true);
+        action->setData(levels);
+        trail->addAction(action);
+    };
+    addTrail(tr("&Off"), {});
+    for (const int levels : {0, 1, 2, 3, 5, 8}) {
+        addTrail(tr("&%n level(s) behind", nullptr, levels), levels);
+    }
+    trail->actions().first()->setChecked(true);
     orthographic->setCheckable(true);
     endless->setCheckable(true);
     endless->setStatusTip(tr("Detail wherever the view leads, as if the depth had no end"));
@@ -111,6 +123,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addActions({front, right, top, orthographic});
     view->addSeparator();
     view->addActions({endless, saveView});
+    view->addMenu(tr("&Dissertation's Zoom"))->addActions(trail->actions());
     view->addSeparator();
     view->addMenu(tr("&Colour By"))->addActions(colouring->actions());
     view->addActions({wireframe, lighting, textures, smooth});

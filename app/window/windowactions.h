@@ -50,6 +50,8 @@ public:
     QAction *orthographic;
     QAction *endless;
     QAction *saveView;
+    /// One of them is checked; its data is a number of levels, or none where it is off.
+    QActionGroup *trail;
     /// One of them is checked: materials, depth, branch, set.
     QActionGroup *colouring;
     QAction *wireframe;

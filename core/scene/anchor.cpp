@@ -69,6 +69,11 @@ void Surroundings::measureReach()
     }
 }
 
+glm::dvec3 Surroundings::worldFromHere(const glm::dvec3 &here) const
+{
+    return origin + std::exp2(unitExponent) * here;
+}
+
 Anchor::Anchor(std::shared_ptr<const Scene> scene)
     : m_scene(std::move(scene))
 {

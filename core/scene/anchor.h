@@ -44,6 +44,8 @@ struct Surroundings {
 
     /// To the coordinates of the place. What is too far away for a double stays in its direction.
     [[nodiscard]] glm::dvec3 hereFromWorld(const glm::dvec3 &inWorld) const;
+    /// As exactly as the world's coordinates can say.
+    [[nodiscard]] glm::dvec3 worldFromHere(const glm::dvec3 &here) const;
 
     /// Sets reach, from the nodes and what is nearby.
     void measureReach();
