@@ -135,21 +135,28 @@ const Picture &RenderBench::reference(Place place)
     return known;
 }
 
-std::optional<PictureError> RenderBench::errorAt(Place place, std::optional<int> tolerance)
+const Picture &RenderBench::flattenedPicture(Place place, const PictureSize &size)
 {
-    if (!std::ranges::contains(m_subject.comparedPlaces, place)) {
-        return std::nullopt;
+    Picture &known = m_flattenedPictures[{place, size.width}];
+    if (known.pixels.empty()) {
+        beside().flattened->draw(viewAt(place, size, 0.0));
+        known = beside().flattened->read();
     }
+    return known;
+}
+
+bool RenderBench::isCompared(Place place) const
+{
+    return std::ranges::contains(m_subject.comparedPlaces, place);
+}
+
+const PictureError &RenderBench::errorAt(Place place, std::optional<int> tolerance)
+{
     const auto [known, isNew] = m_errors.try_emplace({place, tolerance});
     if (isNew) {
-        const Picture &exact = reference(place);
-        const View view = viewAt(place, m_subject.comparedSize, tolerance.value_or(0));
-        if (tolerance) {
-            known->second = errorOf(drawn(view), exact);
-        } else {
-            beside().flattened->draw(view);
-            known->second = errorOf(beside().flattened->read(), exact);
-        }
+        const PictureSize &size = m_subject.comparedSize;
+        const Picture picture = tolerance ? drawn(viewAt(place, size, *tolerance)) : flattenedPicture(place, size);
+        known->second = errorOf(picture, reference(place));
     }
     return known->second;
 }
@@ -158,9 +165,7 @@ const PictureError &RenderBench::difference(Place place)
 {
     const auto [known, isNew] = m_differences.try_emplace(place);
     if (isNew) {
-        const View all = view(place, 0.0);
-        beside().flattened->draw(all);
-        known->second = errorOf(beside().flattened->read(), drawn(all));
+        known->second = errorOf(flattenedPicture(place, m_subject.size), drawn(view(place, 0.0)));
     }
     return known->second;
 }

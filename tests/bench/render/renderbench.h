@@ -45,8 +45,9 @@ public:
     /// What the dissertation's way makes of it. Precondition: it has room for all copies.
     [[nodiscard]] Beside &beside();
 
-    /// Off the reference: ours at a tolerance, or the flattened picture without one. Nothing where that is not compared.
-    [[nodiscard]] std::optional<PictureError> errorAt(Place place, std::optional<int> tolerance);
+    [[nodiscard]] bool isCompared(Place place) const;
+    /// Off the reference: ours at a tolerance, or the flattened picture without one. Precondition: it is compared there.
+    [[nodiscard]] const PictureError &errorAt(Place place, std::optional<int> tolerance);
     /// The flattened picture off ours of all copies.
     [[nodiscard]] const PictureError &difference(Place place);
 
@@ -54,6 +55,7 @@ private:
     [[nodiscard]] const std::shared_ptr<const Scene> &scene();
     [[nodiscard]] View viewAt(Place place, const PictureSize &size, double tolerance);
     [[nodiscard]] Picture drawn(const View &view);
+    [[nodiscard]] const Picture &flattenedPicture(Place place, const PictureSize &size);
     [[nodiscard]] const Picture &reference(Place place);
 
     OurFrames &m_frames;
@@ -64,6 +66,7 @@ private:
     std::optional<Start> m_start;
     Beside m_beside;
     std::map<Place, Picture> m_references;
+    std::map<std::pair<Place, int>, Picture> m_flattenedPictures;
     std::map<std::pair<Place, std::optional<int>>, PictureError> m_errors;
     std::map<Place, PictureError> m_differences;
 };

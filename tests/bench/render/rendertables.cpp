@@ -110,19 +110,20 @@ std::vector<Place> RenderTables::placesOf(const Subject &subject) const
 
 std::string RenderTables::error(const Subject &subject, Place place, const std::string &kind) const
 {
-    const std::string run = runOf(subject, place, kind);
-    return joined({figure(run, "error_mean"), figure(run, "error_rms"), figure(run, "error_%")});
+    const std::string run = runOf(subject, place, "1");
+    return joined(
+        {figure(run, "error_mean/" + kind), figure(run, "error_rms/" + kind), figure(run, "error_%/" + kind)});
 }
 
 int RenderTables::asGoodAsFlattened(const Subject &subject, Place place) const
 {
+    const std::string run = runOf(subject, place, "1");
     int found = -1;
     for (const int tolerance : tolerances) {
         const auto isAsGood = [&](const std::string &what) {
-            return figure(runOf(subject, place, std::to_string(tolerance)), what)
-                <= figure(runOf(subject, place, "flattened"), what);
+            return figure(run, what + std::to_string(tolerance)) <= figure(run, what + "flattened");
         };
-        found = isAsGood("error_mean") && isAsGood("error_rms") ? tolerance : found;
+        found = isAsGood("error_mean/") && isAsGood("error_rms/") ? tolerance : found;
     }
     return found;
 }

@@ -35,12 +35,14 @@ struct Subject {
     /// What frames are timed at, and what pictures are compared at.
     PictureSize size{1280, 720};
     PictureSize comparedSize{640, 360};
+    std::vector<Place> comparedPlaces{};
     /// Of the picture that others are compared with. Where it is not 0 there are too many copies to draw each.
     double referenceTolerance = 0.0;
-    std::vector<Place> comparedPlaces{Place::Far};
+    /// At which frames are timed, in pixels.
+    std::vector<int> timedTolerances{1, 4};
 };
 
-/// In pixels.
+/// At which pictures are compared, in pixels.
 constexpr std::array tolerances{0, 1, 2, 4, 8};
 
 /// Benchmarks have these names: ours by the tolerance, and "flattened".
