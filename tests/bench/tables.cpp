@@ -73,8 +73,9 @@ void Tables::ReportRuns(const std::vector<Run> &runs)
             continue;
         }
         Figures &figures = m_runs[run.run_name.function_name];
-        figures["us"] = run.GetAdjustedCPUTime() / 1e3;
-        figures["wall_us"] = run.GetAdjustedRealTime() / 1e3;
+        const double microseconds = 1e6 / benchmark::GetTimeUnitMultiplier(run.time_unit);
+        figures["us"] = run.GetAdjustedCPUTime() * microseconds;
+        figures["wall_us"] = run.GetAdjustedRealTime() * microseconds;
         for (const auto &[name, counter] : run.counters) {
             figures[name] = counter.value;
         }

@@ -37,9 +37,11 @@ private:
     [[nodiscard]] int asGoodAsFlattened(const Subject &subject, Place place) const;
     [[nodiscard]] double growth(const std::string &name, std::uint64_t from, std::uint64_t to) const;
 
+    void writeMengerGoals(std::ostream &stream, const Subject &subject) const;
     void writeGoals(std::ostream &stream) const;
     void writeStarts(std::ostream &stream) const;
     void writeFrames(std::ostream &stream) const;
+    void writeTolerances(std::ostream &stream) const;
     void writeErrors(std::ostream &stream) const;
     void writeDepths(std::ostream &stream) const;
 
