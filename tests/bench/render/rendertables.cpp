@@ -166,6 +166,8 @@ void RenderTables::writeGoals(std::ostream &stream) const
     stream << goalsIntroduction << head({"", "asked", "measured", "met"});
     double least = missing;
     std::string slowest;
+    int slower = 0;
+    int all = 0;
     double memory = 0.0;
     for (const Subject &subject : m_subjects) {
         if (subject.name == "menger" && subject.depth == 5) {
@@ -174,13 +176,17 @@ void RenderTables::writeGoals(std::ostream &stream) const
         for (const Place place : placesOf(subject)) {
             memory = std::max(memory, figure(runOf(subject, place, "1"), "MB"));
             const double times = gain(subject, place, 1);
+            slower += times < 1.0 ? 1 : 0;
+            all += std::isnan(times) ? 0 : 1;
             if (!std::isnan(times) && !(least <= times)) {
                 least = times;
                 slowest = titled(subject) + ", " + named(place);
             }
         }
     }
-    stream << goalRow("never slower at 1: times less at least, of " + slowest, "≥ 1", 1.0, true, least);
+    stream << goalRow(
+        std::format("never slower at 1: times less at least, of {} (slower at {} of {})", slowest, slower, all), "≥ 1",
+        1.0, true, least);
     stream << goalRow("Sierpinski, far: d = 30 in units of d = 12", "≤ 1.25", 1.25, false,
                       growth("sierpinski", 12, 30));
     stream << goalRow("appendix B as written: seconds to the first picture of all, shaders compiled too", "≤ 1", 1.0,
