@@ -176,6 +176,7 @@ bool Cut::isToBeSeen(const Node &node)
     const bool isDoubtful =
         node.mayBePutOff && m_doubtful.size() < mostDoubtful && m_depths->before.isHidden(*footprint);
     if (isDoubtful) {
+        m_doubtful.reserve(mostDoubtful);
         m_doubtful.push_back(node);
     }
     return !isDoubtful;

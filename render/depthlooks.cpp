@@ -22,7 +22,7 @@ constexpr std::uint64_t leastShare = 32;
 
 std::size_t DepthLooks::memoryUse() const
 {
-    return m_depths.drawn.memoryUse() + m_depths.before.memoryUse() + m_pixels.capacity() * sizeof(float);
+    return m_depths.drawn.memoryUse() + m_depths.before.memoryUse();
 }
 
 void DepthLooks::setSize(int width, int height)
@@ -38,6 +38,7 @@ void DepthLooks::forget()
 {
     m_depths.before.clear();
     m_isFirst = true;
+    m_isDense = true;
 }
 
 void DepthLooks::begin()
@@ -46,7 +47,7 @@ void DepthLooks::begin()
     m_depths.looks = 0;
     m_sent = m_lookedAt = 0;
     m_hiddenThen = m_instancesThen = 0;
-    m_period = leastPeriod();
+    m_period = m_isDense ? leastPeriod() : std::max(m_period, leastPeriod());
     m_wasInDoubt = false;
 }
 
@@ -67,8 +68,8 @@ void DepthLooks::lookIfDue(const SceneCut &cut, unsigned framebuffer)
     }
     const std::uint64_t hidden = cut.hiddenCount() - m_hiddenThen;
     const std::uint64_t drawn = cut.instanceCount() - m_instancesThen;
-    const bool isWorthIt = m_depths.drawn.isEmpty() || hidden * leastShare > drawn;
-    m_period = isWorthIt ? leastPeriod() : 2 * m_period;
+    const bool isWorthIt = (m_isDense && m_depths.drawn.isEmpty()) || hidden * leastShare > drawn;
+    m_period = isWorthIt ? leastPeriod() : std::min(2 * m_period, 64 * leastPeriod());
     m_lookedAt = m_sent;
     m_hiddenThen = cut.hiddenCount();
     m_instancesThen = cut.instanceCount();
@@ -79,7 +80,8 @@ void DepthLooks::lookIfDue(const SceneCut &cut, unsigned framebuffer)
 void DepthLooks::finish(const SceneCut &cut, unsigned framebuffer)
 {
     const bool isUnknown = std::exchange(m_isFirst, false) && m_depths.looks < 2;
-    if (isUnknown || cut.hiddenCount() * leastShare > cut.instanceCount()) {
+    m_isDense = isUnknown || cut.hiddenCount() * leastShare > cut.instanceCount();
+    if (m_isDense) {
         look(framebuffer, m_depths.before);
     } else {
         m_depths.before.clear();
@@ -88,11 +90,12 @@ void DepthLooks::finish(const SceneCut &cut, unsigned framebuffer)
 
 void DepthLooks::look(unsigned framebuffer, DepthPyramid &pyramid)
 {
-    m_pixels.resize(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
+    std::vector<float> pixels = pyramid.takeDepths();
+    pixels.resize(static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, m_width, m_height, GL_DEPTH_COMPONENT, GL_FLOAT, m_pixels.data());
-    pyramid.build(m_pixels, m_width, m_height);
+    glReadPixels(0, 0, m_width, m_height, GL_DEPTH_COMPONENT, GL_FLOAT, pixels.data());
+    pyramid.build(std::move(pixels), m_width, m_height);
 }
 
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "scenecut.h"
 
@@ -40,8 +39,9 @@ private:
     int m_width = 0;
     int m_height = 0;
     bool m_isFirst = true;
+    /// The last picture left out much; who does not know supposes so.
+    bool m_isDense = true;
     Depths m_depths;
-    std::vector<float> m_pixels;
     /// Triangles: of this picture, at the last look, and from look to look.
     std::uint64_t m_sent = 0;
     std::uint64_t m_lookedAt = 0;

@@ -6,40 +6,48 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace romanesco {
 
 namespace {
 
-constexpr int firstSide = 1;
 /// Squares a side of a rectangle covers at the level that is looked at.
 constexpr int mostSquares = 4;
 
 }
 
-void DepthPyramid::build(std::span<const float> depths, int width, int height)
+void DepthPyramid::build(std::vector<float> depths, int width, int height)
 {
     assert(depths.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height) && width > 0
            && "as many depths as pixels");
     m_levels.clear();
-    const auto squares = [](int pixels, int side) { return (pixels + side - 1) / side; };
-    const auto add = [&](std::span<const float> below, int belowWidth, int belowHeight, int side) {
-        Level level{squares(belowWidth, side), squares(belowHeight, side), {}};
-        level.farthest.assign(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height), 1.0f);
-        for (int y = 0; y < belowHeight; ++y) {
-            const float *row = below.data() + static_cast<std::ptrdiff_t>(y) * belowWidth;
-            float *to = level.farthest.data() + static_cast<std::ptrdiff_t>(y / side) * level.width;
-            for (int x = 0; x < belowWidth; ++x) {
-                to[x / side] = std::min(to[x / side], row[x]);
-            }
-        }
-        m_levels.push_back(std::move(level));
-    };
-    add(depths, width, height, firstSide);
+    m_levels.push_back({width, height, std::move(depths)});
     while (m_levels.back().width > 1 || m_levels.back().height > 1) {
-        const Level below = m_levels.back();
-        add(below.farthest, below.width, below.height, 2);
+        m_levels.push_back(above(m_levels.back()));
     }
+}
+
+/// Half as wide and high, rounded up.
+DepthPyramid::Level DepthPyramid::above(const Level &below)
+{
+    Level level{(below.width + 1) / 2, (below.height + 1) / 2, {}};
+    level.farthest.assign(static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height), 1.0f);
+    for (int y = 0; y < below.height; ++y) {
+        const float *row = below.farthest.data() + static_cast<std::ptrdiff_t>(y) * below.width;
+        float *to = level.farthest.data() + static_cast<std::ptrdiff_t>(y / 2) * level.width;
+        for (int x = 0; x < below.width; ++x) {
+            to[x / 2] = std::min(to[x / 2], row[x]);
+        }
+    }
+    return level;
+}
+
+std::vector<float> DepthPyramid::takeDepths()
+{
+    std::vector<float> depths = m_levels.empty() ? std::vector<float>() : std::move(m_levels.front().farthest);
+    m_levels.clear();
+    return depths;
 }
 
 bool DepthPyramid::isHidden(const Footprint &footprint) const
@@ -48,7 +56,7 @@ bool DepthPyramid::isHidden(const Footprint &footprint) const
         return false;
     }
     const auto &[left, bottom, right, top, nearest] = footprint;
-    double side = firstSide;
+    double side = 1.0;
     std::size_t number = 0;
     while (number + 1 < m_levels.size() && std::max(right - left, top - bottom) > (mostSquares - 1) * side) {
         side *= 2.0;

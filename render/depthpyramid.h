@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
-#include <span>
 #include <vector>
 
 namespace romanesco {
@@ -21,8 +20,10 @@ struct Footprint {
 class DepthPyramid
 {
 public:
-    /// A pixel is a row's next; rows from the bottom. Cost: once through the pixels.
-    void build(std::span<const float> depths, int width, int height);
+    /// Row by row from the bottom. Cost: once through the pixels.
+    void build(std::vector<float> depths, int width, int height);
+    /// What it was built of, to be used again; nothing is built then.
+    [[nodiscard]] std::vector<float> takeDepths();
     void clear() { m_levels.clear(); }
     [[nodiscard]] bool isEmpty() const { return m_levels.empty(); }
 
@@ -39,7 +40,9 @@ private:
         std::vector<float> farthest;
     };
 
-    /// The first is of squares of 2 pixels a side, each next of twice that.
+    [[nodiscard]] static Level above(const Level &below);
+
+    /// The first is of pixels, each next of squares of twice the side.
     std::vector<Level> m_levels;
 };
 

@@ -147,14 +147,14 @@ public:
         glUniform1f(0, static_cast<float>(m_sumCount));
         glUniform3fv(1, 1, m_view.backgroundTop.data());
         glUniform3fv(2, 1, m_view.backgroundBottom.data());
-        glBindTextureUnit(0, m_sum.colour);
+        glBindTextureUnit(0, m_shown->colour);
         glBindVertexArray(m_emptyArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
     Picture read() const
     {
-        auto target = makeTarget(m_sum.width, m_sum.height, GL_RGBA8, false);
+        auto target = makeTarget(m_shown->width, m_shown->height, GL_RGBA8, false);
         if (!target || m_sumCount == 0) {
             return {};
         }
@@ -299,6 +299,13 @@ private:
             beginPass();
             return;
         }
+        if (m_view.samples == 1) {
+            // It is the picture.
+            std::swap(m_pass, m_single);
+            m_shown = &m_single;
+            endPass();
+            return;
+        }
         const bool isFirst = m_passes == 0;
         if (isFirst && (m_sum.width != m_pass.width || m_sum.height != m_pass.height)) {
             auto target = makeTarget(m_pass.width, m_pass.height, GL_RGBA32F, false);
@@ -322,7 +329,12 @@ private:
         glBindVertexArray(m_emptyArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
         glDisable(GL_BLEND);
+        m_shown = &m_sum;
+        endPass();
+    }
 
+    void endPass()
+    {
         m_sumCount = ++m_passes;
         m_statistics.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - m_passStart).count();
         m_statistics.instances = m_cut ? m_cut->instanceCount() : 0;
@@ -359,7 +371,10 @@ private:
     DepthLooks m_looks;
     GLsync m_passFence = nullptr;
     Target m_pass;
+    /// The last picture of one sample.
+    Target m_single;
     Target m_sum;
+    const Target *m_shown = &m_sum;
 };
 
 Renderer::Renderer(std::unique_ptr<Private> p)
