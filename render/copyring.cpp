@@ -11,7 +11,7 @@ namespace romanesco {
 CopyRing::~CopyRing()
 {
     for (GLsync fence : m_fences) {
-        glDeleteSync(fence);
+        deleteFence(fence);
     }
 }
 
@@ -46,7 +46,7 @@ GLuint CopyRing::put(std::span<const Instance> copies, std::span<const Tint> tin
     while (fence && glClientWaitSync(fence, GL_SYNC_FLUSH_COMMANDS_BIT, 1'000'000'000) == GL_TIMEOUT_EXPIRED) {
         // The card still reads this part of the ring.
     }
-    glDeleteSync(fence);
+    deleteFence(fence);
     const std::size_t first = m_chunk * chunkSize;
     m_copies.put(first, copies);
     m_tints.put(first, tints);

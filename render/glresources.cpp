@@ -37,6 +37,18 @@ GlTexture makeTexture(int width, int height, GLenum format)
 
 }
 
+bool ranOutOfMemory()
+{
+    // Each kind is told once, but by a context that is lost, for ever.
+    constexpr int mostErrors = 16;
+    bool didRunOut = false;
+    GLenum error = glGetError();
+    for (int i = 0; i < mostErrors && error != GL_NO_ERROR; ++i, error = glGetError()) {
+        didRunOut = didRunOut || error == GL_OUT_OF_MEMORY;
+    }
+    return didRunOut;
+}
+
 GlBuffer makeBuffer()
 {
     GLuint name = 0;
@@ -81,9 +93,7 @@ std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderSt
 
 std::expected<Target, std::string> makeTarget(int width, int height, GLenum colourFormat, bool hasDepth)
 {
-    while (glGetError() != GL_NO_ERROR) {
-        // Left by whoever used the context before.
-    }
+    static_cast<void>(ranOutOfMemory()); // of whoever used the context before
     GLuint name = 0;
     glCreateFramebuffers(1, &name);
     Target target{width, height, makeTexture(width, height, colourFormat), {}, GlFramebuffer(name)};

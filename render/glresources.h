@@ -68,11 +68,22 @@ inline void deleteProgram(GLuint name)
     glDeleteProgram(name);
 }
 
+/// Null is nothing, and asks nothing of contexts that know no fences.
+inline void deleteFence(GLsync fence)
+{
+    if (fence) {
+        glDeleteSync(fence);
+    }
+}
+
 using GlBuffer = GlName<deleteBuffer>;
 using GlVertexArray = GlName<deleteVertexArray>;
 using GlTexture = GlName<deleteTexture>;
 using GlFramebuffer = GlName<deleteFramebuffer>;
 using GlProgram = GlName<deleteProgram>;
+
+/// Whether the driver had no memory for something since this was asked last. Forgets all other errors.
+[[nodiscard]] bool ranOutOfMemory();
 
 [[nodiscard]] GlBuffer makeBuffer();
 [[nodiscard]] GlVertexArray makeVertexArray();

@@ -33,6 +33,8 @@ constexpr std::size_t mostFaces = 50'000;
 constexpr double firstRoughness = 16.0;
 constexpr double roughnessStep = 4.0;
 
+constexpr auto wasReset = "The graphics driver was reset.";
+
 /// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
 /// square evenly for every n. The only sample of one is the centre itself.
 std::array<double, 2> samplePlace(int i, int n)
@@ -53,15 +55,20 @@ std::array<double, 2> samplePlace(int i, int n)
 class Renderer::Private
 {
 public:
-    ~Private() { glDeleteSync(m_passFence); }
+    ~Private() { deleteFence(m_passFence); }
 
     std::expected<void, std::string> initialise()
     {
-        if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 45) {
-            const char *version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
-            return std::unexpected(
-                std::format("Drawing needs OpenGL 4.5; this system offers {}.", version ? version : "none"));
+        // libepoxy asks an embedded context for libraries that need not be there, and ends the program.
+        const GLubyte *words = glGetString(GL_VERSION);
+        const std::string version = words ? reinterpret_cast<const char *>(words) : "none";
+        if (!words || version.starts_with("OpenGL ES") || epoxy_gl_version() < 45) {
+            return std::unexpected(std::format("Drawing needs OpenGL 4.5; this system offers {}.", version));
         }
+        if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
+            return std::unexpected(std::string(wasReset));
+        }
+        static_cast<void>(ranOutOfMemory()); // of whoever used the context before
         const std::pair<GlProgram *, std::pair<const char *, const char *>> programs[] = {
             {&m_accumulateProgram, {shaders::fullscreen_vert, shaders::accumulate_frag}},
             {&m_presentProgram, {shaders::fullscreen_vert, shaders::present_frag}},
@@ -73,11 +80,14 @@ public:
             }
             *program = std::move(*made);
         }
-        if (!m_ring.make()) {
+        m_emptyArray = makeVertexArray();
+        if (auto made = m_surfaces.make(); !made) {
+            return made;
+        }
+        if (!m_ring.make() || ranOutOfMemory()) {
             return std::unexpected(std::string("The graphics driver has no room for the drawing buffers."));
         }
-        m_emptyArray = makeVertexArray();
-        return m_surfaces.make();
+        return {};
     }
 
     void setScene(std::shared_ptr<const Scene> scene) { m_nextScene = std::move(scene); }
@@ -91,7 +101,11 @@ public:
         if (m_scene != m_nextScene) {
             m_cut.reset();
             m_scene = m_nextScene;
-            uploadScene();
+            if (!uploadScene()) {
+                fail("The graphics driver has no room for the meshes and textures of the scene.");
+                m_onCard.set(nullptr, m_ring);
+                return;
+            }
             if (m_scene) {
                 m_cut.emplace(*m_scene);
                 m_world = Anchor(m_scene).surroundings();
@@ -118,6 +132,10 @@ public:
     bool step(std::chrono::milliseconds budget)
     {
         const Clock::time_point end = Clock::now() + budget;
+        if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
+            m_isLost = true;
+            fail(wasReset);
+        }
         do {
             if (isFinished()) {
                 break;
@@ -128,6 +146,7 @@ public:
     }
 
     [[nodiscard]] bool isFinished() const { return !m_error.empty() || m_passes == m_view.samples; }
+    [[nodiscard]] bool isLost() const { return m_isLost; }
     [[nodiscard]] int finishedSamples() const { return m_passes; }
     [[nodiscard]] const std::string &error() const { return m_error; }
 
@@ -192,8 +211,10 @@ private:
 
     // ---- Resources
 
-    void uploadScene()
+    /// Whether the driver has room for it.
+    bool uploadScene()
     {
+        static_cast<void>(ranOutOfMemory()); // of whoever used the context before
         m_onCard.set(m_scene.get(), m_ring);
         m_graphBytes = 0;
         std::set<const Model *> models;
@@ -201,6 +222,7 @@ private:
             const Model *model = m_scene->items[i].model.get();
             m_graphBytes += models.insert(model).second ? model->graph.memoryUse() : 0;
         }
+        return !ranOutOfMemory();
     }
 
     // ---- Passes
@@ -238,7 +260,7 @@ private:
                 m_looks.finish(*m_cut, m_pass.framebuffer);
             }
             m_isDrawn = true;
-            glDeleteSync(m_passFence);
+            deleteFence(m_passFence);
             m_passFence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
             glFlush();
             return;
@@ -293,6 +315,10 @@ private:
 
     void finishPass()
     {
+        if (ranOutOfMemory()) {
+            fail("The graphics driver ran out of memory.");
+            return;
+        }
         if (m_roughness > 1.0) {
             const bool isDense = !m_looks.depths().before.isEmpty();
             m_roughness = isDense ? m_roughness / roughnessStep : 1.0;
@@ -352,6 +378,7 @@ private:
     std::optional<Projector> m_projector;
     View m_view;
     std::string m_error;
+    bool m_isLost = false;
 
     int m_passes = 0;
     bool m_isDrawn = false;
@@ -411,6 +438,11 @@ bool Renderer::step(std::chrono::milliseconds budget)
 bool Renderer::isFinished() const
 {
     return d->isFinished();
+}
+
+bool Renderer::isLost() const
+{
+    return d->isLost();
 }
 
 int Renderer::finishedSamples() const

@@ -80,13 +80,16 @@ public:
     [[nodiscard]] bool isFinished() const;
     /// Why the picture under way cannot be drawn (no memory for it), as a sentence; empty while all is well.
     [[nodiscard]] const std::string &error() const;
+    /// The driver was reset: nothing more can be drawn. Only another renderer may help, in another context.
+    [[nodiscard]] bool isLost() const;
     /// Samples of the picture under way that are finished: from 1 on present() shows it.
     [[nodiscard]] int finishedSamples() const;
 
     /// Puts the average of the finished samples into a framebuffer (0 for a window's own), scaled to width x height.
     void present(unsigned framebuffer, int width, int height);
 
-    /// The same, off the card, at its own size. Waits for the card. Without pixels where there is nothing to show.
+    /// The same, off the card, at its own size. Waits for the card. Without pixels where there is nothing to show, or no memory
+    /// for it.
     [[nodiscard]] Picture read();
 
     [[nodiscard]] DrawStatistics statistics() const;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "painter.h"
 
+#include <format>
+
 #include "commandline.h"
 
 namespace romanesco::cli {
@@ -47,7 +49,11 @@ std::expected<Picture, int> Painter::draw(const View &view, Progress &progress, 
     if (!m_renderer->error().empty()) {
         return fail(m_renderer->error());
     }
-    return m_renderer->read();
+    Picture picture = m_renderer->read();
+    if (picture.pixels.empty()) {
+        return fail(std::format("The graphics driver has no room for a picture of {}x{}.", view.width, view.height));
+    }
+    return picture;
 }
 
 }

@@ -394,7 +394,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("variable");
         QTest::addColumn<QString>("value");
         QTest::newRow("no driver") << "__EGL_VENDOR_LIBRARY_FILENAMES" << "/nonexistent.json";
+        QTest::newRow("a driver that is not there") << "GALLIUM_DRIVER" << "nonexistent";
         QTest::newRow("OpenGL 2.1") << "MESA_GL_VERSION_OVERRIDE" << "2.1";
+        QTest::newRow("OpenGL 3.3") << "MESA_GL_VERSION_OVERRIDE" << "3.3";
+        QTest::newRow("a driver of OpenGL 3.3") << "GALLIUM_DRIVER" << "softpipe";
     }
 
     void withoutOpenGlRenderSaysSo()
