@@ -51,6 +51,7 @@ int runEditor(int argc, char *argv[], const QString &file)
     QSurfaceFormat format = QSurfaceFormat::defaultFormat();
     format.setVersion(4, 5);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
     QSurfaceFormat::setDefaultFormat(format);
     // Without it a dock that is torn off would lose the viewport's context.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);

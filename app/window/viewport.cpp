@@ -136,10 +136,14 @@ bool Viewport::hasNothingToDraw() const
 void Viewport::initializeGL()
 {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::UniqueConnection);
+    if (context()->isOpenGLES()) {
+        // which libepoxy would look for libraries for that need not be there
+        fail(tr("Drawing needs OpenGL 4.5; this system offers OpenGL ES."));
+        return;
+    }
     auto made = Renderer::create();
     if (!made) {
-        m_lack = QString::fromStdString(made.error());
-        reportWhetherAvailable();
+        fail(QString::fromStdString(made.error()));
         return;
     }
     m_lack.clear();
@@ -148,6 +152,22 @@ void Viewport::initializeGL()
     m_begun.reset();
     m_drawing.start();
     Q_EMIT ready(QString::fromStdString(m_renderer->description()));
+}
+
+void Viewport::fail(const QString &lack)
+{
+    m_lack = lack;
+    reportWhetherAvailable();
+}
+
+/// What was on the card went with a reset of the driver, and the context too, unless the driver could spare it.
+void Viewport::recover()
+{
+    m_renderer.reset();
+    initializeGL();
+    if (!m_renderer) {
+        fail(tr("The graphics driver was reset. Pictures come back when the program is started anew."));
+    }
 }
 
 /// The renderer goes while its context is still there: before the widget does, or when the window changes it.
@@ -186,7 +206,11 @@ void Viewport::drawOn()
     }
     beginPictureIfDue();
     m_renderer->step(slice);
-    announceProgress();
+    if (m_renderer->isLost()) {
+        recover();
+    } else {
+        announceProgress();
+    }
     doneCurrent();
     if (hasNothingToDraw()) {
         m_drawing.stop();

@@ -96,6 +96,8 @@ private:
     void runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop);
     void select(const QPointF &place);
     [[nodiscard]] glm::dvec2 fromMiddle(const QPointF &place) const;
+    void fail(const QString &lack);
+    void recover();
     void release();
     void reportWhetherAvailable();
     void drawOn();

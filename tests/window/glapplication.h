@@ -9,17 +9,23 @@
 
 namespace romanesco::test {
 
-/// Runs a test class as the program runs, with OpenGL 4.5, and with its state in a folder of its own.
+/// Runs a test class as the program runs, with OpenGL 4.5, and with its state in a folder of its own. With "embedded" in the
+/// environment's ROMANESCO_TEST_OPENGL, with OpenGL ES.
 template<typename Class>
-int runWithGl(int argc, char **argv)
+int runWithGl(int argc, char **argv, bool sharesContexts = true)
 {
     const QTemporaryDir state;
     qputenv("XDG_STATE_HOME", QFile::encodeName(state.path()));
     QSurfaceFormat format;
     format.setVersion(4, 5);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
+    if (qgetenv("ROMANESCO_TEST_OPENGL") == "embedded") {
+        format = QSurfaceFormat();
+        format.setRenderableType(QSurfaceFormat::OpenGLES);
+    }
     QSurfaceFormat::setDefaultFormat(format);
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts, sharesContexts);
     const QApplication application(argc, argv);
     Class test;
     return QTest::qExec(&test, argc, argv);
