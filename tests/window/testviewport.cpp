@@ -114,7 +114,9 @@ private Q_SLOTS:
     void movementIsFollowedByAFinePicture();
     void whatIsDenseMovesCoarsely();
     void resizingMakesANewPicture();
+    void theWheelGoesIntoTheSurface_data();
     void theWheelGoesIntoTheSurface();
+    void aClickLetsACopyStandOut_data();
     void aClickLetsACopyStandOut();
     void appearancesMakeNewPictures();
 };
@@ -344,18 +346,17 @@ void TestViewport::resizingMakesANewPicture()
 
 namespace {
 
-/// A place on the surface, from the middle outwards; the scene's own surface finder has to be there.
-QPoint placeOnSurface(const Viewport &viewport)
+/// A place on the surface, near a place; the scene's own surface finder has to be there.
+QPoint placeOnSurface(const Viewport &viewport, QPoint near)
 {
-    const QPoint middle(viewport.width() / 2, viewport.height() / 2);
     for (int i = 0; i < 60 * 60; ++i) {
-        const QPoint place = middle + QPoint(i % 60 - 30, i / 60 - 30);
+        const QPoint place = near + QPoint(i % 60 - 30, i / 60 - 30);
         const glm::dvec2 at(place.x() - viewport.width() / 2.0, viewport.height() / 2.0 - place.y());
         if (viewport.view().pick(at / double(viewport.height()), 1e-3)) {
             return place;
         }
     }
-    return middle;
+    return near;
 }
 
 void enter(Viewport &viewport)
@@ -366,16 +367,26 @@ void enter(Viewport &viewport)
 
 }
 
+void TestViewport::theWheelGoesIntoTheSurface_data()
+{
+    QTest::addColumn<Projection>("projection");
+    QTest::newRow("perspective") << Projection::Perspective;
+    QTest::newRow("orthographic") << Projection::Orthographic;
+}
+
 void TestViewport::theWheelGoesIntoTheSurface()
 {
+    QFETCH(const Projection, projection);
     Sample sample;
     sample.viewport.setScene(deepScene());
     sample.viewport.resetView();
+    QVERIFY(sample.waitForPicture());
+    sample.viewport.setProjection(projection);
     enter(sample.viewport);
     QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }));
     QVERIFY(sample.waitForPicture());
     for (int notch = 0; notch < 400; ++notch) {
-        const QPointF place = placeOnSurface(sample.viewport);
+        const QPointF place = placeOnSurface(sample.viewport, {80, 60});
         QWheelEvent event(place, sample.viewport.mapToGlobal(place), {}, QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
                           Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&sample.viewport, &event);
@@ -390,19 +401,32 @@ void TestViewport::theWheelGoesIntoTheSurface()
     QVERIFY(sample.viewport.view().surroundings()->path.size() < 3);
 }
 
+void TestViewport::aClickLetsACopyStandOut_data()
+{
+    theWheelGoesIntoTheSurface_data();
+}
+
 void TestViewport::aClickLetsACopyStandOut()
 {
+    QFETCH(const Projection, projection);
     Sample sample;
+    QVERIFY(sample.waitForPicture());
+    sample.viewport.setProjection(projection);
     enter(sample.viewport);
     QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }));
     QVERIFY(sample.waitForPicture());
     const QImage before = sample.viewport.grabFramebuffer();
-    const QPoint place = placeOnSurface(sample.viewport);
-    sample.drag(Qt::LeftButton, Qt::NoModifier, place, place);
-    const auto selected = sample.viewport.appearance().colours.selection;
-    QVERIFY(selected && !selected->steps.empty());
-    QVERIFY(sample.waitForPicture());
-    QVERIFY(sample.viewport.grabFramebuffer() != before);
+    int changed = 0;
+    for (const QPoint near : {QPoint(80, 60), QPoint(100, 90), QPoint(60, 80), QPoint(90, 70), QPoint(70, 90)}) {
+        const QPoint place = placeOnSurface(sample.viewport, near);
+        sample.drag(Qt::LeftButton, Qt::NoModifier, place, place);
+        const auto selected = sample.viewport.appearance().colours.selection;
+        QVERIFY(selected && !selected->steps.empty());
+        QVERIFY(sample.waitForPicture());
+        const QRect there(place - QPoint(1, 1), QSize(3, 3));
+        changed += sample.viewport.grabFramebuffer().copy(there) != before.copy(there) ? 1 : 0;
+    }
+    QVERIFY2(changed >= 3, "but where less of it is seen than a sample finds");
     sample.drag(Qt::LeftButton, Qt::NoModifier, {1, 1}, {1, 1});
     QVERIFY(!sample.viewport.appearance().colours.selection);
     QVERIFY(sample.waitForPicture());
