@@ -80,6 +80,8 @@ private Q_SLOTS:
                 << failing<NoMemory>(For::Textures, good) << QByteArray("no room for a picture of 64x48");
         }
         QTest::newRow("no memory to draw with") << failing<NoMemory>(For::Drawing) << QByteArray("out of memory");
+        QTest::newRow("reset while it draws")
+            << failing<DriverReset>(100, 1) << QByteArray("The graphics driver was reset");
         QTest::newRow("reset") << failing<DriverReset>(100) << QByteArray("The graphics driver was reset");
     }
 

@@ -66,16 +66,17 @@ private:
     Source m_source{source};
 };
 
-/// No memory for buffers, for textures, or for drawing, after so many for which there was.
+/// No memory for buffers, for textures, or for drawing, after so many for which there was; then for so many none.
 class NoMemory
 {
 public:
     enum class For { Buffers, Textures, Drawing };
 
-    explicit NoMemory(For what, int good = 0)
+    explicit NoMemory(For what, int good = 0, int refused = 1'000'000)
     {
         s_what = what;
         s_good = good;
+        s_refused = refused;
         s_isTold = true;
     }
 
@@ -87,7 +88,7 @@ private:
 
     static bool isRefused(For what)
     {
-        const bool isRefused = what == s_what && s_good-- <= 0;
+        const bool isRefused = what == s_what && s_good-- <= 0 && s_refused-- > 0;
         s_isTold = s_isTold && !isRefused;
         return isRefused;
     }
@@ -111,6 +112,7 @@ private:
     }
     static GLenum error() { return std::exchange(s_isTold, true) ? Error::real() : GL_OUT_OF_MEMORY; }
 
+    static inline int s_refused = 0;
     static inline For s_what = For::Buffers;
     static inline int s_good = 0;
     static inline bool s_isTold = true;
@@ -120,15 +122,20 @@ private:
     Error m_error{error};
 };
 
-/// The driver says so many times that it was reset.
+/// The driver says so many times that it was reset, after so many that it was not.
 class DriverReset
 {
 public:
-    explicit DriverReset(int times) { s_times = times; }
+    explicit DriverReset(int times, int good = 0)
+    {
+        s_times = times;
+        s_good = good;
+    }
 
 private:
-    static GLenum status() { return s_times-- > 0 ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR; }
+    static GLenum status() { return s_good-- <= 0 && s_times-- > 0 ? GL_UNKNOWN_CONTEXT_RESET : GL_NO_ERROR; }
 
+    static inline int s_good = 0;
     static inline int s_times = 0;
     Double<epoxy_glGetGraphicsResetStatus> m_status{status};
 };

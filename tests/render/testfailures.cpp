@@ -65,7 +65,7 @@ private Q_SLOTS:
     void withoutMemoryToBeginWithThereIsNoRenderer()
     {
         for (int good = 0; good < 3; ++good) {
-            const NoMemory none(NoMemory::For::Buffers, good);
+            const NoMemory none(NoMemory::For::Buffers, good, 1);
             const auto made = Renderer::create();
             QVERIFY(!made);
             QVERIFY2(made.error().contains("no room for"), made.error().c_str());
