@@ -18,9 +18,12 @@ std::string compilerWords(GLuint shader)
 }
 
 /// After the line of the version, which has to come first.
-std::string withMacro(std::string source, const char *macro)
+std::string withMacros(std::string source, const std::vector<const char *> &macros)
 {
-    return macro ? source.insert(source.find('\n') + 1, std::format("#define {}\n", macro)) : source;
+    for (const char *macro : macros) {
+        source.insert(source.find('\n') + 1, std::format("#define {}\n", macro));
+    }
+    return source;
 }
 
 GlTexture makeTexture(int width, int height, GLenum format)
@@ -66,8 +69,8 @@ GlVertexArray makeVertexArray()
 std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderStage> stages)
 {
     GlProgram program(glCreateProgram());
-    for (const auto &[kind, text, macro] : stages) {
-        const std::string whole = withMacro(text, macro);
+    for (const auto &[kind, text, macros] : stages) {
+        const std::string whole = withMacros(text, macros);
         const char *source = whole.c_str();
         const GLuint shader = glCreateShader(kind);
         glShaderSource(shader, 1, &source, nullptr);

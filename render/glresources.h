@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -91,8 +92,8 @@ using GlProgram = GlName<deleteProgram>;
 struct ShaderStage {
     GLenum kind;
     const char *source;
-    /// A macro that is set, or null.
-    const char *macro = nullptr;
+    /// Those that are set.
+    std::vector<const char *> macros{};
 };
 
 /// A linked program, or the compiler's or linker's words.

@@ -46,6 +46,14 @@ constexpr GLuint lightsBinding = 0;
 constexpr GLuint textureUnit = 0;
 enum Uniform { Diffuse, Specular, Shininess, Emission, Opacity, HasTexture };
 
+/// Whether some of what is behind a surface may show.
+bool isSeeThrough(const Scene &scene)
+{
+    const auto shows = [](const Material &material) { return material.opacity < 1.0f || material.diffuseImage; };
+    return std::ranges::any_of(
+        scene.items, [&](const SceneItem &item) { return std::ranges::any_of(item.model->mesh->materials, shows); });
+}
+
 GLfloat asFloat(double value)
 {
     return static_cast<GLfloat>(value);
@@ -68,19 +76,25 @@ std::expected<void, std::string> Surfaces::make()
     m_pass = makeBuffer();
     glNamedBufferStorage(m_pass, sizeof(PassBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     m_lights = makeBuffer();
-    return use(false, false);
+    return use(false, false, false);
 }
 
-std::expected<void, std::string> Surfaces::use(bool hasWires, bool isDeep)
+std::expected<void, std::string> Surfaces::use(bool hasWires, bool isDeep, bool isSeeThrough)
 {
-    m_program = (hasWires ? 1 : 0) + (isDeep ? 2 : 0);
+    m_program = (hasWires ? 1 : 0) + (isDeep ? 2 : 0) + (isSeeThrough ? 4 : 0);
     GlProgram &program = m_programs[m_program];
     if (program != 0) {
         return {};
     }
     const ShaderStage vertex{GL_VERTEX_SHADER, shaders::instance_vert};
     const ShaderStage geometry{GL_GEOMETRY_SHADER, shaders::instance_geom};
-    const ShaderStage fragment{GL_FRAGMENT_SHADER, shaders::instance_frag, isDeep ? "DEEP" : nullptr};
+    ShaderStage fragment{GL_FRAGMENT_SHADER, shaders::instance_frag};
+    if (isDeep) {
+        fragment.macros.push_back("DEEP");
+    }
+    if (isSeeThrough) {
+        fragment.macros.push_back("SEE_THROUGH");
+    }
     auto made = hasWires ? makeProgram({vertex, geometry, fragment}) : makeProgram({vertex, fragment});
     if (!made) {
         return std::unexpected(made.error());
@@ -93,7 +107,7 @@ std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Sur
                                                      const Appearance &appearance)
 {
     m_appearance = appearance;
-    if (const auto used = use(appearance.hasWires, pass.projector.isDeep()); !used) {
+    if (const auto used = use(appearance.hasWires, pass.projector.isDeep(), isSeeThrough(*surroundings.scene)); !used) {
         return used;
     }
     const Projector &projector = pass.projector;

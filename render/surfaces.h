@@ -36,10 +36,11 @@ private:
     void setLights(const Projector &projector, const Surroundings &surroundings);
     void setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t material) const;
 
-    [[nodiscard]] std::expected<void, std::string> use(bool hasWires, bool isDeep);
+    [[nodiscard]] std::expected<void, std::string> use(bool hasWires, bool isDeep, bool isSeeThrough);
 
-    /// With wires or not, and for long ranges of depth or not; made when they are first wanted.
-    std::array<GlProgram, 4> m_programs;
+    /// With wires or not, for long ranges of depth or not, for scenes that can be seen through or not, which are drawn faster;
+    /// made when they are first wanted.
+    std::array<GlProgram, 8> m_programs;
     std::size_t m_program = 0;
     GlBuffer m_pass;
     GlBuffer m_lights;

@@ -85,11 +85,13 @@ void main()
     plane = dot(plane, toViewer) < 0.0 ? -plane : plane;
 
     vec4 texel = hasTexture ? texture(diffuseTexture, texturePlace) : vec4(1.0);
+#ifdef SEE_THROUGH
     // What is see-through covers as many of the samples as it is opaque.
     float solid = opacity * texel.a;
     if (solid < 1.0 && noise(gl_FragCoord.xyz) >= solid) {
         discard;
     }
+#endif
     vec3 own = mix(diffuse * colour * texel.rgb, linearFromSrgb(tint.rgb), tint.a);
 
     vec3 light = own;

@@ -94,6 +94,7 @@ private Q_SLOTS:
 
     void aPictureWithoutMemoryIsTold()
     {
+        m_view.samples = 2;
         for (int good = 0; good < 3; ++good) {
             ++m_view.width; // so that it needs another
             const NoMemory none(NoMemory::For::Textures, good);
