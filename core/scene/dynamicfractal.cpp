@@ -78,8 +78,12 @@ std::shared_ptr<const Surroundings> dynamicSurroundings(std::shared_ptr<const Sc
         const SceneItem &item = all.scene->items[node.item];
         const std::vector<AffineMap> way = wayTo(camera, item);
         const std::size_t steps = way.size() - 1;
-        node.hereFromNode = way[steps - std::min(trail, steps)];
-        Sphere last = boundAt(way.back(), *item.model);
+        const std::size_t drawn = steps - std::min(trail, steps);
+        node.hereFromNode = way[drawn];
+        // Nothing that is drawn is smaller, and to a smaller near plane the card's floats could not clip it.
+        const Position levels = item.model->graph.levels().levelCount();
+        const std::size_t smallest = steps - drawn > levels ? drawn + static_cast<std::size_t>(levels) : steps;
+        Sphere last = boundAt(way[smallest], *item.model);
         last.radius = std::max(last.radius, least);
         if (steps > 0 && last.radius < all.nearby.radius) {
             all.nearby = last;

@@ -22,7 +22,8 @@ namespace romanesco {
 /// `#` itself is none. The same maps are taken at every step, however many levels the fractal has.
 ///
 /// nearby is round the whole at the last M of the fractal that has become smallest, so that what is near the camera is not
-/// cut off; of the scene where none has moved.
+/// cut off; or at an M as many steps after the one that is drawn as there are levels, if that is larger, since nothing that
+/// is drawn is smaller. It is of the scene where none has moved.
 ///
 /// Limits. A way ends where M would be a map of less than 1e-15 of its distance from the origin: the world's doubles do
 /// not tell more. That is some 30 steps of a third, of which the last four are off by pixels; an Anchor goes on. It ends
