@@ -139,7 +139,7 @@ void Cut::forget()
 void Cut::sift()
 {
     m_siftedAt = m_depths->looks;
-    std::erase_if(m_doubtful, [&](const Node &node) {
+    m_hidden += std::erase_if(m_doubtful, [&](const Node &node) {
         const std::optional<Footprint> footprint = m_projector.footprint(node.map, boxOf(node.state));
         return m_depths->drawn.isHidden(*footprint);
     });
@@ -176,7 +176,6 @@ bool Cut::isToBeSeen(const Node &node)
     const bool isDoubtful =
         node.mayBePutOff && m_doubtful.size() < mostDoubtful && m_depths->before.isHidden(*footprint);
     if (isDoubtful) {
-        m_doubtful.reserve(mostDoubtful);
         m_doubtful.push_back(node);
     }
     return !isDoubtful;

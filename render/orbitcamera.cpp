@@ -59,6 +59,20 @@ void OrbitCamera::refit(const Scene &scene, double aspect)
     m_pivot = m_camera.position + forward * glm::dot(scene.extent.centre() - m_camera.position, forward);
 }
 
+void OrbitCamera::fly(const glm::dvec3 &way)
+{
+    const glm::dvec3 move = distance() * (m_camera.worldFromCamera * way);
+    m_camera.position += move;
+    m_pivot += move;
+}
+
+void OrbitCamera::turn(const glm::dvec2 &movement)
+{
+    const double away = distance();
+    setDirection(m_yaw + movement.x * std::numbers::pi, m_pitch + movement.y * std::numbers::pi);
+    m_pivot = m_camera.position + m_camera.worldFromCamera[2] * away;
+}
+
 void OrbitCamera::look(double yawDegrees, double pitchDegrees)
 {
     constexpr double radians = std::numbers::pi / 180.0;

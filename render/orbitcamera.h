@@ -29,6 +29,10 @@ public:
     void orbit(const glm::dvec2 &movement);
     /// Moves with the pointer, so that the pivot's plane stays under it.
     void pan(const glm::dvec2 &movement);
+    /// Goes along the camera's own axes, in distances of the pivot, which stays as far ahead.
+    void fly(const glm::dvec3 &way);
+    /// Looks about from where it is; a full view's height of movement is half a turn.
+    void turn(const glm::dvec2 &movement);
     /// Moves towards (factor < 1) or away from the point of the pivot's plane under the pointer, from a ten-thousandth
     /// of what is nearby in view to a million times the scene.
     void zoom(double factor, const glm::dvec2 &pointer);

@@ -51,7 +51,7 @@ std::array<double, 2> samplePlace(int i, int n)
 }
 
 /// A picture is made in passes, one for each sample: the cut is walked and drawn in chunks into `pass`, then the pass
-/// is added to `sum`. `sum` keeps the last picture until the first pass of the next one is done.
+/// is added to `sum`, unless it is the only one. `sum` keeps the last picture until the first pass of the next one is done.
 class Renderer::Private
 {
 public:
@@ -238,7 +238,9 @@ private:
             m_projector->jitter = {2.0 * x / m_view.width, 2.0 * y / m_view.height};
             m_looks.begin();
             m_cut->setDepths(m_view.leavesOutHidden ? &m_looks.depths() : nullptr);
-            m_cut->begin(*m_projector, m_surroundings, m_roughness * m_view.pixelTolerance, m_view.appearance.colours);
+            m_cut->begin(*m_projector, m_surroundings,
+                         m_roughness > 1.0 ? m_roughness * std::max(1.0, m_view.pixelTolerance) : m_view.pixelTolerance,
+                         m_view.appearance.colours);
         }
         if (m_cut) {
             const Surfaces::Pass pass{*m_projector, static_cast<unsigned>(m_passes)};

@@ -51,6 +51,7 @@ void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundi
     m_instances = 0;
     m_visited = 0;
     m_hidden = 0;
+    m_isInDoubt = false;
     std::ranges::sort(m_runs, {}, [&](const auto &run) { return nearestOf(run); });
     m_memory = m_bytes;
 }

@@ -41,18 +41,19 @@ void SceneView::setScene(std::shared_ptr<const Scene> scene)
     settle();
 }
 
-void SceneView::start(double aspect)
+bool SceneView::start(double aspect)
 {
     if (m_scene->view && startFrom(*m_scene->view)) {
-        return;
+        return false;
     }
     if (m_scene->camera) {
         start(cameraOf(*m_scene->camera));
-        return;
+        return false;
     }
     toWorld();
     m_orbit.fit(*m_scene, aspect);
     follow();
+    return true;
 }
 
 void SceneView::start(const Camera &camera)
@@ -117,6 +118,21 @@ void SceneView::orbit(const glm::dvec2 &movement)
 void SceneView::pan(const glm::dvec2 &movement)
 {
     m_orbit.pan(movement);
+    follow();
+}
+
+void SceneView::turn(const glm::dvec2 &movement)
+{
+    m_orbit.turn(movement);
+    follow();
+}
+
+void SceneView::fly(const glm::dvec3 &way)
+{
+    if (const auto ahead = pick({0.0, 0.0}, 1e-3)) {
+        m_orbit.setPivotDistance(ahead->distance);
+    }
+    m_orbit.fly(way);
     follow();
 }
 

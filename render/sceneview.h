@@ -22,8 +22,8 @@ public:
     void setScene(std::shared_ptr<const Scene> scene);
 
     /// The view that a scene begins with: the one that was saved, as far as the way to it is there; or from its own camera;
-    /// or all of it.
-    void start(double aspect);
+    /// or all of it, which is told.
+    bool start(double aspect);
     /// From a camera in the world.
     void start(const Camera &camera);
     /// All of the scene, from where the camera looks now.
@@ -33,6 +33,9 @@ public:
     void look(double yawDegrees, double pitchDegrees);
     void orbit(const glm::dvec2 &movement);
     void pan(const glm::dvec2 &movement);
+    void turn(const glm::dvec2 &movement);
+    /// In distances of the surface ahead, where there is one and it can be found.
+    void fly(const glm::dvec3 &way);
     /// Towards or away from the surface under the pointer, where there is one and it can be found.
     void zoom(double factor, const glm::dvec2 &pointer);
     void setProjection(Projection projection);

@@ -91,6 +91,29 @@ std::expected<std::string, int> depthDigits(const QCommandLineParser &parser, Fi
     return digits.toStdString();
 }
 
+struct Loaded {
+    /// With its depth.
+    std::string text;
+    SceneResult result;
+    bool isInVain = false;
+};
+
+Loaded loadAt(const std::string &digits, const FileAccess &files, const std::filesystem::path &path,
+              const std::string &text, const ImageDecoder &decoder)
+{
+    const DepthChange change(files, digits);
+    Loaded loaded{fileKind(path) == FileKind::Fdo ? change.changed(text) : text, {}, false};
+    loaded.result = SceneLoader(change, decoder).load(path, loaded.text);
+    loaded.isInVain = change.isInVain();
+    return loaded;
+}
+
+/// What was loaded at an endless depth has one.
+bool isWithoutEnd(const Loaded &loaded)
+{
+    return loaded.result.scene && !loaded.isInVain && isConvergent(*loaded.result.scene);
+}
+
 }
 
 QCommandLineOption depthOption()
@@ -152,7 +175,7 @@ std::expected<std::string, std::string> readText(const QString &file)
 }
 
 std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser, ImageDecoder decoder,
-                                    Depths depths)
+                                    DepthChoice choice)
 {
     const std::filesystem::path path = pathOf(file);
     const std::string shown = shownName(file);
@@ -171,23 +194,26 @@ std::expected<Input, int> readInput(const QString &file, const QCommandLineParse
         return std::unexpected(depth.error());
     }
     Input input{nullptr, {path}, text->size(), kind == FileKind::Sdo};
-    const auto view = depths == Depths::AsViewed ? findView(*text) : std::nullopt;
-    const bool isEndless = depths == Depths::Endless || (view && view->first.isEndless && depth->empty());
     const InputFiles files;
-    const DepthChange deepened(files, isEndless ? DepthChange::endless : *depth);
-    if (kind == FileKind::Fdo) {
-        text = deepened.changed(std::move(*text));
+    const auto load = [&](const std::string &digits) { return loadAt(digits, files, path, *text, decoder); };
+    const bool isEndless = choice == DepthChoice::Endless;
+    const auto view = choice == DepthChoice::AsViewed && depth->empty() ? findView(*text) : std::nullopt;
+    const bool isViewEndless = view && view->first.isEndless;
+    Loaded loaded = load(isEndless || isViewEndless ? DepthChange::endless : *depth);
+    if (isViewEndless && !isWithoutEnd(loaded)) {
+        loaded = load({});
     }
-    SceneResult result = SceneLoader(deepened, std::move(decoder)).load(path, *text);
-    if (result.scene && deepened.isInVain()) {
+    SceneResult &result = loaded.result;
+    if (result.scene && loaded.isInVain) {
         complain(QStringLiteral("%1 needs a depth in the file, as in \"<$>. z 6\"")
                      .arg(QLatin1String(isEndless ? "--endless" : "--depth")));
         return std::unexpected(WrongUsage);
     }
-    if (result.scene && isEndless && !isConvergent(*result.scene)) {
+    if (result.scene && isEndless && !isWithoutEnd(loaded)) {
         complain(QStringLiteral("%1: --endless needs transformations that shrink what they repeat").arg(file));
         return std::unexpected(BadInput);
     }
+    text = std::move(loaded.text);
     const LineMap lines(*text);
     Places places(lines);
     for (const Diagnostic &diagnostic : result.diagnostics) {

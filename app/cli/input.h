@@ -46,12 +46,13 @@ struct Input {
 /// The bytes of FILE (`-` is stdin), or a phrase that completes "cannot read …: ".
 [[nodiscard]] std::expected<std::string, std::string> readText(const QString &file);
 
-/// How deep fractals are: as the text or --depth says; as a saved view asks for where --depth says nothing; without end.
-enum class Depths { AsWritten, AsViewed, Endless };
+/// How deep fractals are: as the text or --depth says; as a saved view asks for where --depth says nothing and that can be; without end.
+enum class DepthChoice { AsWritten, AsViewed, Endless };
 
 /// Reads FILE (`-` is stdin, as .fdo), with another depth in place of the text's, or of every fractal's in a scene, where
 /// that is asked for. Errors and warnings go to stderr as FILE:LINE:COL; the error is an exit status. Who draws gives a decoder.
 [[nodiscard]] std::expected<Input, int> readInput(const QString &file, const QCommandLineParser &parser,
-                                                  ImageDecoder decoder = {}, Depths depths = Depths::AsWritten);
+                                                  ImageDecoder decoder = {},
+                                                  DepthChoice choice = DepthChoice::AsWritten);
 
 }

@@ -286,24 +286,26 @@ int runRender(const QStringList &arguments)
         complain(QStringLiteral("--endless and --depth exclude each other"));
         return WrongUsage;
     }
-    const auto input = readInput(*file, parser, decodeImage, isEndless ? Depths::Endless : Depths::AsViewed);
+    const auto input = readInput(*file, parser, decodeImage, isEndless ? DepthChoice::Endless : DepthChoice::AsViewed);
     if (!input) {
         return input.error();
     }
     SceneView from;
     from.setScene(input->scene);
+    bool isFitted = false;
     if (camera) {
         from.start(*camera);
     } else {
-        from.start(double(view->width) / view->height);
+        isFitted = from.start(double(view->width) / view->height);
     }
     view->camera = from.camera();
     view->surroundings = from.surroundings();
-    const bool isFitted = !camera && !input->scene->view && !input->scene->camera;
-    series->pivot = isFitted ? input->scene->extent.centre() : from.pivot();
+    const Surroundings &here = *from.surroundings();
+    const glm::dvec3 middle = input->scene->extent.centre();
+    series->pivot = isFitted ? here.hereFromWorld(middle) : from.pivot();
     if (series->trail) {
         view->camera = from.cameraInWorld();
-        series->pivot = from.surroundings()->worldFromHere(series->pivot);
+        series->pivot = isFitted ? middle : here.worldFromHere(from.pivot());
     }
     return drawSeries(input->scene, *view, *series, parser.isSet(options.quiet));
 }

@@ -23,6 +23,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "addresswords.h"
 #include "core/text/linemap.h"
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
@@ -202,6 +203,7 @@ void MainWindow::connectViewActions()
         m_preview.setEndless(isEndless);
         build();
     });
+    connect(&m_viewport, &Viewport::clicked, this, &MainWindow::showAddress);
     connect(m_actions.trail, &QActionGroup::triggered, this, [this](const QAction *action) {
         const QVariant levels = action->data();
         m_viewport.setTrail(levels.isValid() ? std::optional<std::size_t>(levels.toUInt()) : std::nullopt);
@@ -405,6 +407,9 @@ void MainWindow::startText()
     showTrouble();
     m_depth.clear();
     m_isFirstScene = true;
+    const QSignalBlocker blocker(m_actions.endless); // what is asked for is asked of one file
+    m_actions.endless->setChecked(false);
+    m_preview.setEndless(false);
     m_viewport.setScene(nullptr);
     m_status->setSummary(std::nullopt);
     m_status->clearDrawn();
@@ -425,6 +430,19 @@ void MainWindow::showDiagnostics(const Diagnostics &diagnostics, const TextSnaps
     m_problemsDock->toggleViewAction()->setText(tr("Problems"));
 }
 
+/// Of the copy that stands out.
+void MainWindow::showAddress()
+{
+    const std::optional<Selection> &selection = m_viewport.appearance().colours.selection;
+    const auto &surroundings = m_viewport.view().surroundings();
+    if (!selection || !surroundings) {
+        m_status->clearMessage();
+        return;
+    }
+    const DepthChange depth(m_files, m_isShownEndless ? DepthChange::endless : "");
+    m_status->showMessage(addressWords(*surroundings->scene, *selection, depth.changed(m_document.text().bytes())));
+}
+
 /// As a line of the text.
 void MainWindow::saveView()
 {
@@ -433,7 +451,7 @@ void MainWindow::saveView()
         return;
     }
     SavedView view = seen.saved();
-    view.isEndless = m_preview.isEndless();
+    view.isEndless = m_isShownEndless;
     const TextSnapshot text = m_editor->snapshot();
     const bool isSdo = fileKind(m_document.scenePath()) == FileKind::Sdo;
     m_editor->apply(editsToSave(view, writtenOf(seen.cameraInWorld()), text.bytes(), isSdo), text);
@@ -455,6 +473,7 @@ void MainWindow::showPreview(const Preview &preview)
             m_depth.clear();
         }
         m_viewport.setScene(preview.shown);
+        m_isShownEndless = preview.shown != preview.scene;
         if (std::exchange(m_isFirstScene, false)) {
             m_viewport.resetView();
         }

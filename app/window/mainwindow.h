@@ -76,6 +76,7 @@ private:
     void updateDepth();
     void changeAppearance();
     void saveView();
+    void showAddress();
     void goTo(SourceRange range, const TextSnapshot &text);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
@@ -102,6 +103,7 @@ private:
     TextSnapshot m_troubleText;
     QString m_pictureTrouble;
     QString m_pictureRemark;
+    bool m_isShownEndless = false;
     /// The next scene is the first of its file.
     bool m_isFirstScene = true;
     QString m_graphicsSystem;

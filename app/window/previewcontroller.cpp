@@ -50,11 +50,11 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
         SceneResult result = m_loader.load(job.path, job.text.bytes(), stop);
         preview.diagnostics = std::move(result.diagnostics);
         preview.scene = std::move(result.scene);
+        preview.shown = preview.scene;
         if (preview.scene && fileKind(job.path) == FileKind::Fdo && !stop.stop_requested()) {
             std::ranges::move(stabilityHints(job.text.bytes()), std::back_inserter(preview.diagnostics));
             sortByPlace(preview.diagnostics);
         }
-        preview.shown = preview.scene;
         if (preview.scene && job.isEndless && !stop.stop_requested()) {
             deepen(job, preview, stop);
         }
@@ -67,12 +67,16 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
     }
 }
 
-/// On the counting thread.
+/// On the building thread.
 void PreviewController::deepen(const BuildJob &job, Preview &preview, const std::stop_token &stop)
 {
     const bool isFractal = fileKind(job.path) == FileKind::Fdo;
     const std::string &text = job.text.bytes();
-    const SceneResult deep = m_endlessLoader.load(job.path, isFractal ? m_endlessFiles.changed(text) : text, stop);
+    const std::string deeper = isFractal ? m_endlessFiles.changed(text) : text;
+    if (isFractal && deeper == text) {
+        return; // nothing is repeated
+    }
+    const SceneResult deep = m_endlessLoader.load(job.path, deeper, stop);
     if (deep.scene && isConvergent(*deep.scene)) {
         preview.shown = deep.scene;
     } else {
@@ -81,6 +85,7 @@ void PreviewController::deepen(const BuildJob &job, Preview &preview, const std:
     }
 }
 
+/// On the counting thread.
 void PreviewController::runCount(const CountJob &scene, const std::stop_token &stop)
 {
     try {

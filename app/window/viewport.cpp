@@ -32,9 +32,19 @@ constexpr int fineSamplesOnDenseScreens = 4;
 constexpr double slowMilliseconds = 100.0;
 
 constexpr double clickDistance = 4.0;
+constexpr auto flightStep = 16ms;
+/// In distances of the surface ahead, for each second.
+constexpr double flightSpeed = 1.0;
+/// Of a step, however long a picture took.
+constexpr double longestFlight = 0.1;
 constexpr double zoomOfNotch = 0.85;
 /// Of an arrow key, in heights of the view.
 constexpr double keyMovement = 1.0 / 24.0;
+
+std::string lineOf(const std::optional<SavedView> &view)
+{
+    return view ? viewLine(*view) : std::string();
+}
 
 }
 
@@ -50,6 +60,8 @@ Viewport::Viewport(QWidget *parent)
     m_rest.setInterval(restAfter);
     connect(&m_rest, &QTimer::timeout, &m_drawing, qOverload<>(&QTimer::start));
     connect(&m_drawing, &QTimer::timeout, this, &Viewport::drawOn);
+    m_flying.setInterval(flightStep);
+    connect(&m_flying, &QTimer::timeout, this, &Viewport::flyOn);
 }
 
 Viewport::~Viewport()
@@ -65,7 +77,9 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     // Who edits the line of the camera sees what it does.
     const bool hasNewCamera = scene && scene->camera && m_scene
         && !(m_scene->camera && cameraOf(*m_scene->camera) == cameraOf(*scene->camera));
-    m_resetsView = m_resetsView || hasNewCamera;
+    const bool hasNewView = hasNewCamera && lineOf(scene->view) != lineOf(m_scene->view);
+    m_resetsView = m_resetsView || hasNewView;
+    m_followsCamera = m_followsCamera || (hasNewCamera && !hasNewView);
     m_scene = std::move(scene);
     m_view.setScene(m_scene);
     m_appearance.colours.selection.reset();
@@ -127,7 +141,7 @@ bool Viewport::isPictureFinished() const
 /// Until the camera moves, or has rested long enough for a fine picture.
 bool Viewport::hasNothingToDraw() const
 {
-    return m_renderer && m_renderer->isFinished() && !m_isSceneNew && !(m_resetsView && m_scene)
+    return m_renderer && m_renderer->isFinished() && !m_isSceneNew && !((m_resetsView || m_followsCamera) && m_scene)
         && m_begun == request();
 }
 
@@ -200,8 +214,7 @@ void Viewport::drawOn()
         return;
     }
     makeCurrent();
-    if (m_resetsView && m_scene) {
-        m_resetsView = false;
+    if ((m_resetsView || m_followsCamera) && m_scene) {
         startView();
     }
     beginPictureIfDue();
@@ -220,7 +233,12 @@ void Viewport::drawOn()
 void Viewport::startView()
 {
     const Projection before = camera().projection;
-    m_view.start(aspect());
+    if (std::exchange(m_followsCamera, false) && !m_resetsView && m_scene->camera) {
+        m_view.start(cameraOf(*m_scene->camera));
+    } else {
+        m_view.start(aspect());
+    }
+    m_resetsView = false;
     // Counts as a movement: nobody knows yet what a fine picture of this scene takes, and a coarse one is soon there.
     cameraChanged();
     if (camera().projection != before) {
@@ -234,7 +252,8 @@ void Viewport::beginPictureIfDue()
     // A picture of which nothing is to be seen yet is finished first, lest a slow machine never show anything; except
     // that a fine one makes way for a coarse one, which is quickly there and stays.
     const bool makesWay = !isNothingSeenYet() || (wanted.isCoarse && !m_begun->isCoarse);
-    const bool isGivenUp = isNothingSeenYet() && m_begun->isCoarse && m_dragTolerance.givesUp(drawnFor());
+    const bool isGivenUp =
+        wanted.isCoarse && isNothingSeenYet() && m_begun->isCoarse && m_dragTolerance.givesUp(drawnFor());
     if (m_isSceneNew || isGivenUp || (m_begun != wanted && makesWay)) {
         begin(wanted);
     }
@@ -417,7 +436,8 @@ void Viewport::mousePressEvent(QMouseEvent *event)
 {
     const bool isLeft = event->button() == Qt::LeftButton;
     const bool pans = event->button() == Qt::RightButton || (isLeft && event->modifiers() & Qt::ShiftModifier);
-    m_drag = pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
+    const bool isFlying = m_flying.isActive() && event->button() == Qt::RightButton;
+    m_drag = isFlying ? Drag::Turn : pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
     m_isClick = true;
     m_pressedAt = m_lastAt = event->position();
 }
@@ -436,6 +456,8 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
     m_lastAt = event->position();
     if (m_drag == Drag::Orbit) {
         m_view.orbit(movement);
+    } else if (m_drag == Drag::Turn) {
+        m_view.turn(movement);
     } else {
         m_view.pan(movement);
     }
@@ -459,8 +481,64 @@ void Viewport::wheelEvent(QWheelEvent *event)
     event->accept();
 }
 
+/// Whether the key is one of those.
+bool Viewport::setFlying(int key, bool isHeld)
+{
+    const double held = isHeld ? 1.0 : 0.0;
+    switch (key) {
+    case Qt::Key_W:
+        m_flight.z = held;
+        break;
+    case Qt::Key_S:
+        m_flight.z = -held;
+        break;
+    case Qt::Key_D:
+        m_flight.x = held;
+        break;
+    case Qt::Key_A:
+        m_flight.x = -held;
+        break;
+    default:
+        return false;
+    }
+    if (m_flight == glm::dvec3(0.0)) {
+        m_flying.stop();
+    } else if (!m_flying.isActive()) {
+        findSurfaces();
+        m_sinceFlown.start();
+        m_flying.start();
+    }
+    return true;
+}
+
+void Viewport::flyOn()
+{
+    const double seconds = std::min(1e-9 * double(m_sinceFlown.nsecsElapsed()), longestFlight);
+    m_sinceFlown.start();
+    m_view.fly(flightSpeed * seconds * m_flight);
+    cameraChanged();
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent *event)
+{
+    // A key that is held is released again and again.
+    if (event->isAutoRepeat() || !setFlying(event->key(), false)) {
+        QOpenGLWidget::keyReleaseEvent(event);
+    }
+}
+
+void Viewport::focusOutEvent(QFocusEvent *event)
+{
+    m_flight = glm::dvec3(0.0);
+    m_flying.stop();
+    QOpenGLWidget::focusOutEvent(event);
+}
+
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
+    if (event->modifiers() == Qt::NoModifier && setFlying(event->key(), true)) {
+        return;
+    }
     glm::dvec2 way(0.0);
     switch (event->key()) {
     case Qt::Key_Left:

@@ -17,7 +17,7 @@
 namespace romanesco {
 
 /// The picture of a scene, which the mouse and the keyboard look at from all sides: left drag orbits, right drag or
-/// Shift + left drag pans, the wheel zooms to the pointer. Draws in slices, so that it never holds up the window:
+/// Shift + left drag pans, the wheel zooms to the pointer; W, A, S, D fly, and then right drag looks about. Draws in slices, so that it never holds up the window:
 /// coarsely while the camera moves, then finely, then smoothly.
 class Viewport : public QOpenGLWidget
 {
@@ -30,7 +30,7 @@ public:
     /// than the last scene's: then the view starts anew from that.
     void setScene(std::shared_ptr<const Scene> scene);
 
-    /// The view of the beginning: from the scene's own camera, or all of the scene in it. A scene that comes before the first picture waits for it.
+    /// The view of the beginning: from where it was saved, from the scene's own camera, or all of the scene in it. A scene that comes before the first picture waits for it.
     void resetView();
     /// All of the scene, from where the camera looks now.
     void fit();
@@ -73,13 +73,15 @@ protected:
     void showEvent(QShowEvent *event) override;
     void enterEvent(QEnterEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan };
+    enum class Drag { None, Orbit, Pan, Turn };
 
     /// What a picture is of, the scene apart: equal requests make equal pictures.
     struct Request {
@@ -92,6 +94,8 @@ private:
         bool operator==(const Request &) const = default;
     };
 
+    [[nodiscard]] bool setFlying(int key, bool isHeld);
+    void flyOn();
     void findSurfaces();
     void runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop);
     void select(const QPointF &place);
@@ -119,6 +123,8 @@ private:
     std::shared_ptr<const Scene> m_scene;
     bool m_isSceneNew = false;
     bool m_resetsView = false;
+    /// The scene's camera was edited: the view goes there, wherever the saved one is.
+    bool m_followsCamera = false;
 
     SceneView m_view;
     Appearance m_appearance;
@@ -139,6 +145,11 @@ private:
     bool m_isFinishAnnounced = false;
     /// How long one pass of the last fine picture took.
     double m_fineMilliseconds = 0.0;
+
+    /// The ways that keys are held for: right, up, forward.
+    glm::dvec3 m_flight{0.0};
+    QTimer m_flying;
+    QElapsedTimer m_sinceFlown;
 
     Drag m_drag = Drag::None;
     bool m_isClick = false;

@@ -88,7 +88,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     };
     addTrail(tr("&Off"), {});
     for (const int levels : {0, 1, 2, 3, 5, 8}) {
-        addTrail(tr("&%n level(s) behind", nullptr, levels), levels);
+        addTrail(tr("Trail of &%1").arg(levels), levels);
     }
     trail->actions().first()->setChecked(true);
     orthographic->setCheckable(true);

@@ -193,4 +193,28 @@ void StateTable::expandShared(std::span<const FractalGraph::Reach> reaches, Expa
     }
 }
 
+std::optional<Address> addressOf(StateTable &table, std::span<const Step> steps)
+{
+    Address address;
+    std::vector<Positions> reached;
+    StateId state = table.root();
+    for (const Step &step : steps) {
+        const auto leads = [&](const ChildRange &range) {
+            return range.set == step.set && range.firstMap <= step.map && step.map < range.endMap;
+        };
+        const auto &ranges = table.expansion(state).ranges;
+        const auto range = std::ranges::find_if(ranges, leads);
+        if (range == ranges.end()) {
+            return std::nullopt;
+        }
+        state = range->next;
+        reached.push_back(table.state(state).positions);
+        address.push_back({reached.back().front() - 1, step.map});
+    }
+    if (table.graph().setsShareMaps()) {
+        placePicks(table.graph(), reached, address);
+    }
+    return address;
+}
+
 }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -102,5 +103,8 @@ private:
     std::unordered_map<Positions, StateId, Hash> m_ids;
     std::size_t m_bytes = 0;
 };
+
+/// The address of a way down from the root; nothing where there is no such way. Cost: the states passed are expanded.
+[[nodiscard]] std::optional<Address> addressOf(StateTable &table, std::span<const Step> steps);
 
 }

@@ -7,6 +7,7 @@
 #include <format>
 
 #include "core/formats/sdosyntax.h"
+#include "scene.h"
 
 namespace romanesco {
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::string_view opening = "# view: ";
 /// A repetition of more than an anchor goes down is no view that was saved.
-constexpr std::size_t mostSteps = 1'000'000;
+constexpr std::size_t mostSteps = 100'000;
 
 std::string vectorWords(const glm::dvec3 &v)
 {
@@ -32,7 +33,8 @@ std::optional<SceneDescription::Camera> cameraFrom(std::string_view words)
     const std::string line = "c " + std::string(words);
     const SdoLine read = parseSdoLine(line, 0);
     const auto *camera = std::get_if<CameraLine>(&read.declaration);
-    if (!camera || read.isBad || hasErrors(read.diagnostics) || read.range.end != line.size()) {
+    if (!camera || read.isBad || hasErrors(read.diagnostics) || read.range.end != line.size()
+        || !isComputable(camera->position.value, camera->isOrthographic ? camera->view.value : 0.0)) {
         return std::nullopt;
     }
     return SceneDescription::Camera{camera->position.value,
@@ -62,39 +64,45 @@ std::optional<Number> takeNumber(std::string_view &words)
     return number;
 }
 
+struct Run {
+    Step step;
+    std::size_t count;
+};
+
 /// SET.MAP or SET.MAP*COUNT, and a blank.
-bool takeSteps(std::string_view &words, std::vector<Step> &steps)
+std::optional<Run> takeRun(std::string_view &words)
 {
     const auto set = takeNumber<std::uint32_t>(words);
     if (!set || !take(words, ".")) {
-        return false;
+        return std::nullopt;
     }
     const auto map = takeNumber<std::uint32_t>(words);
     const auto count = take(words, "*") ? takeNumber<std::size_t>(words) : std::optional<std::size_t>(1);
-    if (!map || !count || *count > mostSteps - steps.size() || !take(words, " ")) {
-        return false;
-    }
-    steps.insert(steps.end(), *count, Step{*set, *map});
-    return true;
+    return map && count && take(words, " ") ? std::optional<Run>({{*set, *map}, *count}) : std::nullopt;
 }
 
 std::optional<SavedView> viewFrom(std::string_view line)
 {
     SavedView view;
+    std::vector<Run> runs; // written out once all of the line is right
+    std::size_t count = 0;
     if (!take(line, opening)) {
         return std::nullopt;
     }
     view.isEndless = take(line, "endless, ");
     if (take(line, "in ")) {
-        const auto item = takeNumber<std::size_t>(line);
+        const auto item = takeNumber<std::uint32_t>(line);
         if (!item || !take(line, ": ")) {
             return std::nullopt;
         }
         view.place = {*item, {}};
         while (!take(line, "at ")) {
-            if (!takeSteps(line, view.place->steps)) {
+            const auto run = takeRun(line);
+            if (!run || run->count > mostSteps - count) {
                 return std::nullopt;
             }
+            count += run->count;
+            runs.push_back(*run);
         }
     }
     const auto camera = cameraFrom(line);
@@ -102,6 +110,9 @@ std::optional<SavedView> viewFrom(std::string_view line)
         return std::nullopt;
     }
     view.camera = *camera;
+    for (const Run &run : runs) {
+        view.place->steps.insert(view.place->steps.end(), run.count, run.step);
+    }
     return view;
 }
 
@@ -144,7 +155,7 @@ std::string viewLine(const SavedView &view)
 
 std::optional<std::pair<SavedView, SourceRange>> findView(std::string_view text)
 {
-    std::size_t begin = 0;
+    std::size_t begin = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
     while (begin < text.size()) {
         const std::size_t end = std::min(text.find_first_of("\r\n", begin), text.size());
         if (auto view = viewFrom(text.substr(begin, end - begin))) {
@@ -182,7 +193,8 @@ TextEdits editsToSave(const SavedView &view, const SceneDescription::Camera &inW
     }
     std::ranges::sort(edits, {}, [](const TextEdit &edit) { return edit.range.begin; });
     if (!top.empty()) {
-        edits.insert(edits.begin(), {{0, 0}, top});
+        const std::size_t start = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
+        edits.insert(edits.begin(), {{start, start}, top});
     }
     return edits;
 }

@@ -148,10 +148,19 @@ private Q_SLOTS:
     }
 
     /// From above and aside: only a turn about the upright line through the middle shows the same again half way round.
+    void halfATurnShowsASymmetricSceneAsAtFirst_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("at the origin") << path("bar.obj");
+        write(path("away.sdo"), "o \"bar.obj\" ((10, 20, -30), #, (2, 2, 2))\n");
+        QTest::newRow("away from it") << path("away.sdo");
+    }
+
     void halfATurnShowsASymmetricSceneAsAtFirst()
     {
+        QFETCH(const QString, file);
         const QStringList six{QStringLiteral("--turntable"), QStringLiteral("6")};
-        QCOMPARE(run(small(path("bar.obj"), path("bar%02d.png"), six)).status, 0);
+        QCOMPARE(run(small(file, path("bar%02d.png"), six)).status, 0);
         QVERIFY2(difference(path("bar00.png"), path("bar03.png")) <= few, "half");
         QVERIFY2(difference(path("bar01.png"), path("bar04.png")) <= few, "a sixth and a half");
         QVERIFY(difference(path("bar00.png"), path("bar01.png")) > 100);

@@ -115,6 +115,22 @@ private Q_SLOTS:
         QVERIFY(different(trail("1000"), plain) < 30);
     }
 
+    /// Of a text that has no end to show: as the window shows it.
+    void anEndlessViewThatCannotBeIsShownAsWritten()
+    {
+        const QByteArray line = "# view: endless, (1, 2, -6) (0.3, -0.2, 0) 40 perspective\n";
+        for (const QByteArray &text :
+             {QByteArray("<$>. \"cube.obj\"\n"),
+              QByteArray("s 1 0.5 0.5\nt. (#, #, 1)\nx. \"cube.obj\"\nz<x>. [t] x\n<$>. z 4\n")}) {
+            write(path("f.fdo"), line + text);
+            const QImage saved = picture(path("f.fdo"));
+            write(path("g.fdo"), text);
+            const QStringList camera{QStringLiteral("--camera"), QStringLiteral("c (1, 2, -6) (0.3, -0.2, 0) 40")};
+            QVERIFY(!saved.isNull());
+            QCOMPARE(saved, picture(path("g.fdo"), camera));
+        }
+    }
+
     void wrongUseIsTold_data()
     {
         QTest::addColumn<QStringList>("options");
@@ -130,8 +146,6 @@ private Q_SLOTS:
         QTest::newRow("no depth") << QStringList{endless} << QByteArray("<$>. \"cube.obj\"\n") << 2
                                   << QByteArray("--endless needs a depth");
         QTest::newRow("does not shrink") << QStringList{endless} << growing << 1 << QByteArray("shrink");
-        QTest::newRow("endless view does not shrink")
-            << QStringList{} << "# view: endless, (1, 2, 3) # 40\n" + growing << 1 << QByteArray("shrink");
         QTest::newRow("no trail") << QStringList{QStringLiteral("--trail"), QStringLiteral("-1")} << good << 2
                                   << QByteArray("--trail takes a whole number");
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QAction>
+#include <QActionGroup>
+#include <QRegularExpression>
+#include <QStatusBar>
 #include <QWheelEvent>
 
 #include <glm/geometric.hpp>
@@ -22,12 +25,13 @@ QAction &action(Sample &sample, const QString &text)
     qFatal("no action %s", qPrintable(text));
 }
 
-/// Turns the wheel so often, over what the middle of the picture shows.
+/// Turns the wheel so often, back where it is negative, over what the middle of the picture shows.
 void zoom(Sample &sample, int notches)
 {
     const QPointF middle(sample.viewport.width() / 2.0 + 8.0, sample.viewport.height() / 2.0 + 5.0);
-    for (int i = 0; i < notches; ++i) {
-        QWheelEvent event(middle, sample.viewport.mapToGlobal(middle), {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+    for (int i = 0; i < std::abs(notches); ++i) {
+        QWheelEvent event(middle, sample.viewport.mapToGlobal(middle), {}, {0, notches > 0 ? 120 : -120}, {}, {},
+                          Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&sample.viewport, &event);
     }
 }
@@ -35,6 +39,17 @@ void zoom(Sample &sample, int notches)
 bool waitForSurfaces(const Sample &sample)
 {
     return QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 20'000);
+}
+
+double shareOfDifferent(const QImage &a, const QImage &b)
+{
+    qsizetype different = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            different += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+        }
+    }
+    return a.size() == b.size() ? double(different) / double(a.width() * a.height()) : 1.0;
 }
 
 /// Waits for the other scene.
@@ -66,6 +81,8 @@ private Q_SLOTS:
     void whatDoesNotShrinkIsShownAsItIs();
     void aDeepViewIsKeptInTheText();
     void aSceneKeepsItsCamera();
+    void aClickedCopyHasAnAddress();
+    void theDissertationsZoomHasATrail();
 };
 
 void TestSavedViews::endlessGoesDeeperThanTheText()
@@ -161,6 +178,49 @@ void TestSavedViews::aSceneKeepsItsCamera()
     const Camera again = sample.viewport.view().cameraInWorld();
     QVERIFY(glm::distance(again.position, turned.position) < 1e-9);
     QVERIFY(glm::distance(again.worldFromCamera[2], turned.worldFromCamera[2]) < 1e-12);
+}
+
+void TestSavedViews::aClickedCopyHasAnAddress()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(QStringLiteral(":/examples/menger.fdo")));
+    QVERIFY(sample.waitForPicture());
+    zoom(sample, 1);
+    QVERIFY(waitForSurfaces(sample));
+    const auto click = [&](QPoint place) { QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, place); };
+    const QStatusBar &bar = *sample.window.findChild<QStatusBar *>();
+    click(QPoint(sample.viewport.width() / 2 + 8, sample.viewport.height() / 2 + 5));
+    static const QRegularExpression words(
+        QStringLiteral("^sponge\\[1\\] box\\.\\d+ › sponge\\[2\\] box\\.\\d+ › sponge\\[3\\] box\\.\\d+ › "
+                       "sponge\\[4\\] box\\.\\d+$"));
+    QVERIFY2(words.match(bar.currentMessage()).hasMatch(), qPrintable(bar.currentMessage()));
+    zoom(sample, -8);
+    click(QPoint(3, 3));
+    QCOMPARE(bar.currentMessage(), QString());
+    QVERIFY(goEndless(sample));
+    zoom(sample, 8);
+    QVERIFY(waitForSurfaces(sample));
+    click(QPoint(sample.viewport.width() / 2 + 8, sample.viewport.height() / 2 + 5));
+    QVERIFY2(bar.currentMessage().startsWith(QStringLiteral("sponge[1] box.")), qPrintable(bar.currentMessage()));
+}
+
+void TestSavedViews::theDissertationsZoomHasATrail()
+{
+    Sample sample;
+    QVERIFY(sample.window.openFile(QStringLiteral(":/examples/menger.fdo")));
+    QVERIFY(sample.waitForPicture());
+    zoom(sample, 1);
+    QVERIFY(waitForSurfaces(sample));
+    zoom(sample, 25);
+    QVERIFY(sample.waitForPicture());
+    const QImage plain = sample.viewport.grabFramebuffer();
+    action(sample, QStringLiteral("Trail of 0")).trigger();
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(shareOfDifferent(sample.viewport.grabFramebuffer(), plain) > 0.1);
+    QActionGroup *trail = action(sample, QStringLiteral("Trail of 0")).actionGroup();
+    trail->actions().first()->trigger();
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(shareOfDifferent(sample.viewport.grabFramebuffer(), plain) < 0.01);
 }
 
 int main(int argc, char **argv)

@@ -90,6 +90,7 @@ private Q_SLOTS:
     void theCopiesAreThoseOfAllWords_data();
     void theCopiesAreThoseOfAllWords();
     void keepingAddressesChangesNothing();
+    void waysHaveTheirAddresses();
     void appendixB_data();
     void appendixB();
     void theFirstOfVeryManyCopiesComeAtOnce_data();
@@ -130,6 +131,48 @@ void TestCopies::theCopiesAreThoseOfAllWords()
         QVERIFY(!copies.next());
     }
     QVERIFY2(shared > 50, QByteArray::number(shared));
+}
+
+/// All ways through the states, to where the mesh stands.
+void TestCopies::waysHaveTheirAddresses()
+{
+    std::mt19937_64 random(43);
+    int shared = 0;
+    for (int round = 0; round < 200; ++round) {
+        const Fractal fractal = randomFractal(random, 0.9);
+        const naive::Levels levels = fractal.levels();
+        const FractalGraph graph = graphOf(fractal);
+        shared += graph.setsShareMaps() ? 1 : 0;
+        StateTable table(graph);
+        std::set<naive::Picks> found;
+        std::vector<std::pair<StateId, std::vector<Step>>> open{{table.root(), {}}};
+        while (!open.empty()) {
+            const auto [state, steps] = open.back();
+            open.pop_back();
+            if (table.expansion(state).hasLeaf) {
+                const std::optional<Address> address = addressOf(table, steps);
+                QVERIFY(address);
+                const std::optional<naive::Picks> picks = picksAt(*address, levels);
+                QVERIFY(picks);
+                AffineMap map;
+                for (const Step &step : steps) {
+                    map = map * graph.set(step.set).maps[step.map];
+                }
+                QVERIFY(isNear(map, productOf(*picks, fractal.maps)));
+                found.insert(*picks);
+            }
+            for (const ChildRange &range : table.expansion(state).ranges) {
+                for (std::uint32_t number = range.firstMap; number < range.endMap; ++number) {
+                    open.emplace_back(range.next, steps);
+                    open.back().second.push_back({range.set, number});
+                }
+            }
+        }
+        QVERIFY(found == naive::allPicks(levels));
+        QVERIFY(!addressOf(table, std::vector<Step>(1, Step{0, 1'000})));
+        QVERIFY(addressOf(table, {}).value().empty());
+    }
+    QVERIFY2(shared > 20, QByteArray::number(shared));
 }
 
 void TestCopies::keepingAddressesChangesNothing()
