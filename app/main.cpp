@@ -62,11 +62,12 @@ int runEditor(int argc, char *argv[], const QString &file)
     }
 
     MainWindow window;
-    const bool isOpen = !file.isEmpty() && window.openFile(file);
+    const bool isOpen = file.isEmpty() ? window.openSession() : window.openFile(file);
     if (!isOpen) {
         window.openExample();
     }
     window.show();
+    window.offerLostTexts();
     return QApplication::exec();
 }
 

@@ -10,11 +10,13 @@
 #include <QTextCursor>
 #include <QTextDocument>
 
+#include "core/text/linediff.h"
+#include "core/text/unicode.h"
+#include "fdoeditor.h"
+
 namespace romanesco {
 
 namespace {
-
-constexpr QByteArrayView byteOrderMark("\xEF\xBB\xBF");
 
 /// A property of block formats, since these follow the lines through edits and undo; absent it is LF.
 constexpr int lineEndProperty = QTextFormat::UserProperty + 1;
@@ -56,6 +58,18 @@ void setLineEnds(QTextDocument &document, const std::vector<LineEnd> &ends)
     }
 }
 
+/// For a document that has had other lines.
+void changeLineEnds(QTextDocument &document, const std::vector<LineEnd> &ends)
+{
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        const auto number = static_cast<std::size_t>(block.blockNumber());
+        if (number < ends.size() && block.blockFormat().intProperty(lineEndProperty) != ends[number]) {
+            QTextCursor cursor(block);
+            setLineEnd(cursor, ends[number]);
+        }
+    }
+}
+
 QByteArrayView lineEnd(const QTextBlock &block)
 {
     switch (block.blockFormat().intProperty(lineEndProperty)) {
@@ -68,28 +82,76 @@ QByteArrayView lineEnd(const QTextBlock &block)
     }
 }
 
+/// Without the byte order mark.
+std::expected<QString, QString> decoded(const QByteArray &bytes)
+{
+    const QByteArrayView body =
+        QByteArrayView(bytes).sliced(bytes.startsWith(byteOrderMark) ? qsizetype(byteOrderMark.size()) : 0);
+    // Stateless, so that a character that is cut off at the end is an error and not awaited.
+    QStringDecoder decoder(QStringDecoder::Utf8,
+                           QStringDecoder::Flag::Stateless | QStringDecoder::Flag::ConvertInitialBom);
+    QString text = decoder(body);
+    if (decoder.hasError()) {
+        return std::unexpected(QCoreApplication::translate("DocumentBytes", "it is not UTF-8 text"));
+    }
+    return text;
+}
+
+std::string withPlainLineEnds(QString text)
+{
+    text.replace(QLatin1String("\r\n"), QLatin1String("\n")).replace(u'\r', u'\n');
+    return text.toStdString();
+}
+
+TextFileForm formOf(const QTextDocument &document, const QByteArray &bytes)
+{
+    const bool hasByteOrderMark = bytes.startsWith(byteOrderMark);
+    return {hasByteOrderMark, toBytes(document, hasByteOrderMark) == bytes};
+}
+
 }
 
 std::expected<TextFileForm, QString> loadBytes(QTextDocument &document, const QByteArray &bytes)
 {
-    TextFileForm form;
-    form.hasByteOrderMark = bytes.startsWith(byteOrderMark);
-    const QByteArrayView body = QByteArrayView(bytes).sliced(form.hasByteOrderMark ? byteOrderMark.size() : 0);
-    // Stateless, so that a character that is cut off at the end is an error and not awaited.
-    QStringDecoder decoder(QStringDecoder::Utf8,
-                           QStringDecoder::Flag::Stateless | QStringDecoder::Flag::ConvertInitialBom);
-    const QString text = decoder(body);
-    if (decoder.hasError()) {
-        return std::unexpected(QCoreApplication::translate("DocumentBytes", "it is not UTF-8 text"));
+    const auto text = decoded(bytes);
+    if (!text) {
+        return std::unexpected(text.error());
     }
-
     document.setUndoRedoEnabled(false);
-    document.setPlainText(text);
-    setLineEnds(document, lineEnds(text));
+    document.setPlainText(*text);
+    setLineEnds(document, lineEnds(*text));
     document.setUndoRedoEnabled(true);
     document.setModified(false);
-    form.isFaithful = toBytes(document, form.hasByteOrderMark) == bytes;
-    return form;
+    return formOf(document, bytes);
+}
+
+std::expected<TextFileForm, QString> changeToBytes(FdoEditor &editor, const QByteArray &bytes)
+{
+    const auto text = decoded(bytes);
+    if (!text) {
+        return std::unexpected(text.error());
+    }
+    QTextCursor cursor(editor.document());
+    cursor.beginEditBlock();
+    changeToText(editor, withPlainLineEnds(*text));
+    changeLineEnds(*editor.document(), lineEnds(*text));
+    cursor.endEditBlock();
+    return formOf(*editor.document(), bytes);
+}
+
+void changeToText(FdoEditor &editor, std::string_view text)
+{
+    const TextSnapshot before = editor.snapshot();
+    // What the user may not edit may still follow its file.
+    const bool isReadOnly = editor.isReadOnly();
+    editor.setReadOnly(false);
+    editor.apply(editsBetween(before.bytes(), text), before);
+    editor.setReadOnly(isReadOnly);
+}
+
+std::expected<std::string, QString> textOf(const QByteArray &bytes)
+{
+    return decoded(bytes).transform(withPlainLineEnds);
 }
 
 QByteArray toBytes(const QTextDocument &document, bool withByteOrderMark)
@@ -97,7 +159,7 @@ QByteArray toBytes(const QTextDocument &document, bool withByteOrderMark)
     QByteArray bytes;
     bytes.reserve(document.characterCount() + document.blockCount());
     if (withByteOrderMark) {
-        bytes += byteOrderMark;
+        bytes += QByteArrayView(byteOrderMark);
     }
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         bytes += block.text().toUtf8();

@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 
 #include "fdoeditor.h"
+#include "folding.h"
 
 namespace romanesco {
 
@@ -34,7 +35,7 @@ QSize EditorMargin::sizeHint() const
 {
     const qsizetype digits = std::max<qsizetype>(2, QString::number(m_editor.blockCount()).size());
     const int digit = m_editor.fontMetrics().horizontalAdvance(u'9');
-    return {space + static_cast<int>(digits) * digit + space + barWidth + space, 0};
+    return {space + static_cast<int>(digits) * digit + space + barWidth + foldWidth(), 0};
 }
 
 bool EditorMargin::event(QEvent *event)
@@ -43,14 +44,22 @@ bool EditorMargin::event(QEvent *event)
         return QWidget::event(event);
     }
     const auto *help = static_cast<QHelpEvent *>(event);
-    QToolTip::showText(help->globalPos(), m_editor.messagesInLine(lineAt(help->pos().y())), this);
+    QString words = m_editor.messagesInLine(lineAt(help->pos().y())).toHtmlEscaped();
+    if (isFoldMark(help->pos())) {
+        words =
+            m_editor.folding().isFolded(lineAt(help->pos().y())) ? tr("Unfold the section") : tr("Fold the section");
+    }
+    QToolTip::showText(help->globalPos(), words.replace(u'\n', QLatin1String("<br>")), this);
     return true;
 }
 
 void EditorMargin::mousePressEvent(QMouseEvent *event)
 {
-    const QTextBlock line = m_editor.document()->findBlockByNumber(lineAt(event->position().toPoint().y()));
-    if (line.isValid()) {
+    const QPoint point = event->position().toPoint();
+    const QTextBlock line = m_editor.document()->findBlockByNumber(lineAt(point.y()));
+    if (isFoldMark(point)) {
+        m_editor.folding().toggle(line.blockNumber());
+    } else if (line.isValid()) {
         m_editor.setTextCursor(QTextCursor(line));
     }
     m_editor.setFocus(Qt::MouseFocusReason);
@@ -63,7 +72,8 @@ void EditorMargin::paintEvent(QPaintEvent *event)
     painter.fillRect(event->rect(), m_editor.palette().base());
     painter.setFont(m_editor.font());
     const int current = m_editor.textCursor().blockNumber();
-    const int numberWidth = width() - barWidth - 2 * space;
+    const int barLeft = width() - foldWidth() - barWidth;
+    const int numberWidth = barLeft - space;
     for (const FdoEditor::VisibleLine &line : m_editor.visibleLines()) {
         const int top = line.area.top();
         const int height = line.area.height();
@@ -74,8 +84,10 @@ void EditorMargin::paintEvent(QPaintEvent *event)
         painter.setPen(m_editor.colour(isCurrent ? Theme::CurrentLineNumber : Theme::LineNumbers));
         painter.drawText(0, top, numberWidth, height, Qt::AlignRight | Qt::AlignTop, QString::number(line.number + 1));
         if (line.worst) {
-            painter.fillRect(width() - barWidth - space, top + 1, barWidth, height - 2,
-                             severityColour(line.worst->severity));
+            painter.fillRect(barLeft, top + 1, barWidth, height - 2, severityColour(line.worst->severity));
+        }
+        if (m_editor.folding().canFold(line.number)) {
+            paintFoldMark(painter, top, m_editor.fontMetrics().height(), m_editor.folding().isFolded(line.number));
         }
     }
 }
@@ -83,6 +95,31 @@ void EditorMargin::paintEvent(QPaintEvent *event)
 void EditorMargin::wheelEvent(QWheelEvent *event)
 {
     QCoreApplication::sendEvent(m_editor.viewport(), event);
+}
+
+int EditorMargin::foldWidth() const
+{
+    return m_editor.fontMetrics().height();
+}
+
+bool EditorMargin::isFoldMark(const QPoint &point) const
+{
+    return point.x() >= width() - foldWidth() && m_editor.folding().canFold(lineAt(point.y()));
+}
+
+/// A triangle that points to what is shown below, or to what is not.
+void EditorMargin::paintFoldMark(QPainter &painter, int top, int height, bool isFolded) const
+{
+    const qreal half = height / 5.0;
+    const QPointF middle(width() - foldWidth() / 2.0, top + height / 2.0);
+    QPolygonF triangle{QPointF(-half, -half / 2), QPointF(half, -half / 2), QPointF(0, half)};
+    triangle = (isFolded ? QTransform().rotate(-90) : QTransform()).map(triangle);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(painter.pen().color());
+    painter.setPen(Qt::NoPen);
+    painter.drawPolygon(triangle.translated(middle));
+    painter.restore();
 }
 
 int EditorMargin::lineAt(int y) const

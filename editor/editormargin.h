@@ -8,8 +8,8 @@ namespace romanesco {
 
 class FdoEditor;
 
-/// The strip left of the text: line numbers, and a bar beside each line that has a problem. A click puts the cursor into
-/// the line.
+/// The strip left of the text: line numbers, a bar beside each line that has a problem, and a mark at each section that
+/// can be folded. A click on the mark folds and unfolds it, elsewhere it puts the cursor into the line.
 class EditorMargin : public QWidget
 {
     Q_OBJECT
@@ -27,6 +27,9 @@ protected:
 
 private:
     [[nodiscard]] int lineAt(int y) const;
+    [[nodiscard]] int foldWidth() const;
+    [[nodiscard]] bool isFoldMark(const QPoint &point) const;
+    void paintFoldMark(QPainter &painter, int top, int height, bool isFolded) const;
 
     FdoEditor &m_editor;
 };

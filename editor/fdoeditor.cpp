@@ -8,12 +8,23 @@
 #include <QFontDatabase>
 #include <QHelpEvent>
 #include <QMimeData>
+#include <QPainter>
+#include <QScrollBar>
 #include <QTextBlock>
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include "brackets.h"
+#include "core/language/formatter.h"
 #include "editormargin.h"
+#include "folding.h"
+#include "inlaynumbers.h"
+#include "renaming.h"
+#include "renumberoffer.h"
 #include "syntax.h"
+#include "textediting.h"
+#include "tooltips.h"
+#include "wordnavigation.h"
 
 namespace romanesco {
 
@@ -25,49 +36,18 @@ constexpr std::size_t mostMarks = 1'000;
 constexpr qreal leastPointSize = 4;
 constexpr qreal greatestPointSize = 96;
 
-/// A stretch that can be underlined: a problem without length (something is missing here) takes the character before
-/// it, else the one after it, within its line.
-QTextCursor markedPlace(QTextDocument *document, int begin, int end)
-{
-    QTextCursor cursor(document);
-    const int last = document->characterCount() - 1;
-    cursor.setPosition(std::min(begin, last));
-    cursor.setPosition(std::min(end, last), QTextCursor::KeepAnchor);
-    if (!cursor.hasSelection() && !cursor.atBlockStart()) {
-        cursor.movePosition(QTextCursor::PreviousCharacter, QTextCursor::KeepAnchor);
-    } else if (!cursor.hasSelection() && !cursor.atBlockEnd()) {
-        cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor);
-    }
-    return cursor;
-}
-
-QTextEdit::ExtraSelection underlined(const FdoEditor::Problem &problem)
-{
-    QTextEdit::ExtraSelection selection;
-    selection.cursor = problem.place;
-    selection.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
-    selection.format.setUnderlineColor(severityColour(problem.severity));
-    return selection;
-}
-
-}
-
-QColor severityColour(Severity severity)
-{
-    switch (severity) {
-    case Severity::Error:
-        return QColor(0xd6, 0x45, 0x41);
-    case Severity::Warning:
-        return QColor(0xc0, 0x86, 0x1a);
-    case Severity::Hint:
-        break;
-    }
-    return QColor(0x8a, 0x8a, 0x8a);
 }
 
 FdoEditor::FdoEditor(QWidget *parent)
     : QPlainTextEdit(parent)
     , m_highlighter(std::make_unique<KSyntaxHighlighting::SyntaxHighlighter>(document()))
+    , m_language(*document())
+    , m_completion(new CompletionPopup(*this, m_language))
+    , m_fixes(new QuickFixes(*this, m_language))
+    , m_navigation(new WordNavigation(*this))
+    , m_scrubber(*this)
+    , m_renumbering(new RenumberOffer(*this, m_language))
+    , m_folding(new Folding(*this, m_language))
     , m_margin(new EditorMargin(*this))
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -78,19 +58,35 @@ FdoEditor::FdoEditor(QWidget *parent)
     connect(this, &QPlainTextEdit::blockCountChanged, this, &FdoEditor::layOutMargin);
     connect(this, &QPlainTextEdit::updateRequest, m_margin, qOverload<>(&QWidget::update));
     connect(this, &QPlainTextEdit::cursorPositionChanged, this, &FdoEditor::updateSelections);
+    connect(document(), &QTextDocument::contentsChange, this, [this] { m_marks.clear(); });
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &FdoEditor::updateSelections);
+    connect(m_navigation, &WordNavigation::openFileRequested, this, &FdoEditor::openFileRequested);
+    connect(this, &QPlainTextEdit::cursorPositionChanged, this, &FdoEditor::markBrackets);
+    connect(this, &QPlainTextEdit::textChanged, this, &FdoEditor::markBrackets);
+    connect(m_folding, &Folding::changed, m_margin, qOverload<>(&QWidget::update));
+    connect(m_renumbering, &RenumberOffer::changed, this, &FdoEditor::renumberingOffered);
+    // Numbers beside lines that were not edited may change too.
+    connect(this, &QPlainTextEdit::textChanged, viewport(), qOverload<>(&QWidget::update));
+    viewport()->setMouseTracking(true);
     applyTheme();
     layOutMargin();
 }
 
-FdoEditor::~FdoEditor() = default;
+FdoEditor::~FdoEditor()
+{
+    // It takes its colours off, which counts as a change of the text: all that follow changes must be there still.
+    m_highlighter.reset();
+}
 
 void FdoEditor::setFileName(const QString &name)
 {
     m_highlighter->setDefinition(syntaxFor(name));
+    m_language.setFileName(name);
 }
 
 void FdoEditor::setDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text)
 {
+    m_fixes->setDiagnostics(diagnostics, text);
     m_problems.clear();
     for (const Diagnostic &diagnostic : diagnostics) {
         if (diagnostic.severity() == Severity::Hint) {
@@ -110,15 +106,7 @@ void FdoEditor::setDiagnostics(const Diagnostics &diagnostics, const TextSnapsho
 
 void FdoEditor::apply(const TextEdits &edits, const TextSnapshot &text)
 {
-    QTextCursor cursor(document());
-    cursor.beginEditBlock();
-    // From the end, so that the places of the others stay what they are.
-    for (auto edit = edits.rbegin(); edit != edits.rend(); ++edit) {
-        cursor.setPosition(text.position(edit->range.begin));
-        cursor.setPosition(text.position(edit->range.end), QTextCursor::KeepAnchor);
-        cursor.insertText(QString::fromStdString(edit->text));
-    }
-    cursor.endEditBlock();
+    applyEdits(*this, edits, text);
 }
 
 void FdoEditor::goTo(SourceRange range, const TextSnapshot &text)
@@ -128,6 +116,16 @@ void FdoEditor::goTo(SourceRange range, const TextSnapshot &text)
     setTextCursor(cursor);
     centerCursor();
     setFocus(Qt::OtherFocusReason);
+}
+
+void FdoEditor::select(SourceRange range, const TextSnapshot &text)
+{
+    const int last = document()->characterCount() - 1;
+    QTextCursor cursor(document());
+    cursor.setPosition(std::min(text.position(range.begin), last));
+    cursor.setPosition(std::min(text.position(range.end), last), QTextCursor::KeepAnchor);
+    setTextCursor(cursor);
+    ensureCursorVisible();
 }
 
 void FdoEditor::goToNextProblem()
@@ -144,6 +142,106 @@ void FdoEditor::goToNextProblem()
     setTextCursor(cursor);
     ensureCursorVisible();
     setFocus(Qt::OtherFocusReason);
+}
+
+void FdoEditor::goToLine(int line)
+{
+    const int last = blockCount() - 1;
+    setTextCursor(QTextCursor(document()->findBlockByNumber(std::clamp(line - 1, 0, last))));
+    centerCursor();
+    setFocus(Qt::OtherFocusReason);
+}
+
+void FdoEditor::goToDefinition()
+{
+    if (!m_navigation->goToDefinition()) {
+        sayAtCursor(tr("The word at the cursor leads nowhere."));
+    }
+}
+
+void FdoEditor::goToNextUse()
+{
+    m_navigation->goToUse(true);
+}
+
+void FdoEditor::goToPreviousUse()
+{
+    m_navigation->goToUse(false);
+}
+
+void FdoEditor::rename()
+{
+    askForName(*this);
+}
+
+void FdoEditor::format()
+{
+    if (const FdoDocument *fdo = m_language.fdo()) {
+        apply(formatting(fdo->syntax), m_language.snapshot());
+    } else if (const SdoSyntax *sdo = m_language.sdo()) {
+        apply(formatting(*sdo), m_language.snapshot());
+    }
+}
+
+void FdoEditor::toggleComment()
+{
+    romanesco::toggleComment(*this);
+}
+
+void FdoEditor::duplicateLines()
+{
+    romanesco::duplicateLines(*this);
+}
+
+int FdoEditor::renumberingCount() const
+{
+    return m_renumbering->count();
+}
+
+void FdoEditor::renumber()
+{
+    m_renumbering->take();
+}
+
+void FdoEditor::dismissRenumbering()
+{
+    m_renumbering->dismiss();
+}
+
+void FdoEditor::fold()
+{
+    m_folding->foldAtCursor();
+}
+
+void FdoEditor::unfold()
+{
+    m_folding->unfoldAtCursor();
+}
+
+void FdoEditor::foldAll()
+{
+    m_folding->foldAll();
+}
+
+void FdoEditor::unfoldAll()
+{
+    m_folding->unfoldAll();
+}
+
+void FdoEditor::askForLine()
+{
+    romanesco::askForLine(*this);
+}
+
+void FdoEditor::mark(MarkLayer layer, std::vector<TextStretch> stretches, const QTextCharFormat &format)
+{
+    m_marks.set(layer, std::move(stretches), format);
+    updateSelections();
+}
+
+void FdoEditor::sayAtCursor(const QString &sentence)
+{
+    QToolTip::showText(viewport()->mapToGlobal(cursorRect().bottomLeft()), sentence, viewport());
 }
 
 void FdoEditor::zoomBy(int points)
@@ -215,6 +313,68 @@ void FdoEditor::changeEvent(QEvent *event)
     }
 }
 
+void FdoEditor::keyPressEvent(QKeyEvent *event)
+{
+    if (m_completion->takes(*event)) {
+        event->ignore();
+        return;
+    }
+    const bool isStep = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down;
+    if (isStep && (event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::AltModifier) {
+        stepNumber(event->key() == Qt::Key_Up ? 1 : -1, event->modifiers() & Qt::ShiftModifier);
+        return;
+    }
+    QPlainTextEdit::keyPressEvent(event);
+    m_completion->follow(*event);
+    if (event->key() == Qt::Key_Control) {
+        m_navigation->changeModifiers(event->modifiers() | Qt::ControlModifier);
+    }
+}
+
+void FdoEditor::keyReleaseEvent(QKeyEvent *event)
+{
+    QPlainTextEdit::keyReleaseEvent(event);
+    m_navigation->changeModifiers(Qt::NoModifier);
+    if (event->key() == Qt::Key_Alt) {
+        m_scrubber.endSteps();
+    }
+}
+
+void FdoEditor::mouseMoveEvent(QMouseEvent *event)
+{
+    m_navigation->point(event->position().toPoint(), event->buttons() ? Qt::NoModifier : event->modifiers());
+    if (m_scrubber.move(*event)) {
+        return;
+    }
+    QPlainTextEdit::mouseMoveEvent(event);
+}
+
+void FdoEditor::mousePressEvent(QMouseEvent *event)
+{
+    const bool isLink = m_navigation->press(*event);
+    const bool isNumber = m_scrubber.press(*event);
+    if (!isLink && !isNumber) {
+        QPlainTextEdit::mousePressEvent(event);
+    }
+}
+
+void FdoEditor::mouseReleaseEvent(QMouseEvent *event)
+{
+    if (m_scrubber.release(*event)) {
+        m_navigation->forgetPress();
+    } else if (!m_navigation->release(*event)) {
+        QPlainTextEdit::mouseReleaseEvent(event);
+    }
+}
+
+void FdoEditor::paintEvent(QPaintEvent *event)
+{
+    QPlainTextEdit::paintEvent(event);
+    QPainter painter(viewport());
+    painter.setClipRect(event->rect());
+    paintInlayNumbers(painter, *this);
+}
+
 void FdoEditor::resizeEvent(QResizeEvent *event)
 {
     QPlainTextEdit::resizeEvent(event);
@@ -225,13 +385,15 @@ bool FdoEditor::viewportEvent(QEvent *event)
 {
     if (event->type() == QEvent::ToolTip) {
         const auto *help = static_cast<QHelpEvent *>(event);
-        const QString messages = messagesAt(help->pos());
-        if (messages.isEmpty()) {
-            QToolTip::hideText();
+        if (const std::optional<int> position = positionAt(help->pos())) {
+            showTip(*position, help->globalPos());
         } else {
-            QToolTip::showText(help->globalPos(), messages, viewport());
+            QToolTip::hideText();
         }
         return true;
+    }
+    if (event->type() == QEvent::Leave) {
+        m_navigation->point({-1, -1}, Qt::NoModifier);
     }
     return QPlainTextEdit::viewportEvent(event);
 }
@@ -280,32 +442,62 @@ void FdoEditor::updateSelections()
     line.format.setBackground(colour(KSyntaxHighlighting::Theme::CurrentLine));
     line.format.setProperty(QTextFormat::FullWidthSelection, true);
     selections += line;
+    if (!m_marks.isEmpty()) {
+        // To tell what is in sight is dear in a line of 1 MB.
+        const int first = cursorForPosition({0, 0}).position();
+        const int last = cursorForPosition(viewport()->rect().bottomRight()).position();
+        selections += m_marks.between(first, last, *document());
+    }
     // Errors last, so that they lie above warnings.
     for (const Severity severity : {Severity::Warning, Severity::Error}) {
         for (const Problem &problem : m_problems) {
             if (problem.severity == severity) {
-                selections += underlined(problem);
+                selections += underlined(problem.place, problem.severity);
             }
         }
     }
     setExtraSelections(selections);
 }
 
-QString FdoEditor::messagesAt(const QPoint &point) const
+void FdoEditor::markBrackets()
+{
+    QTextCharFormat format;
+    format.setBackground(colour(KSyntaxHighlighting::Theme::BracketMatching));
+    std::vector<TextStretch> brackets = matchingBrackets(*document(), textCursor().position());
+    if (!brackets.empty() || !m_marks.stretches(MarkLayer::Brackets).empty()) {
+        mark(MarkLayer::Brackets, std::move(brackets), format);
+    }
+}
+
+QStringList FdoEditor::messagesAt(int position) const
+{
+    QStringList messages;
+    for (const Problem &problem : m_problems) {
+        if (problem.place.selectionStart() <= position && position <= problem.place.selectionEnd()) {
+            messages += problem.message;
+        }
+    }
+    return messages;
+}
+
+std::optional<int> FdoEditor::positionAt(const QPoint &point) const
 {
     // The cursor that is nearest may be far from the point, at the end of a line; or behind the character it is on.
     const QTextCursor nearest = cursorForPosition(point);
     const QRect caret = cursorRect(nearest);
     const bool isOnText = point.y() <= caret.bottom() && point.x() <= caret.right() + caret.height() / 2;
-    QStringList messages;
-    for (const Problem &problem : m_problems) {
-        const int begin = problem.place.selectionStart();
-        const int end = problem.place.selectionEnd();
-        if (isOnText && begin <= nearest.position() && nearest.position() <= end) {
-            messages += problem.message;
-        }
-    }
-    return messages.join(u'\n');
+    return isOnText ? std::optional(nearest.position()) : std::nullopt;
+}
+
+void FdoEditor::showTip()
+{
+    showTip(textCursor().position(), viewport()->mapToGlobal(cursorRect().bottomLeft()));
+}
+
+void FdoEditor::showTip(int position, const QPoint &globalPlace)
+{
+    // Without words it hides.
+    QToolTip::showText(globalPlace, tipWords(messagesAt(position), m_language, position), viewport());
 }
 
 }

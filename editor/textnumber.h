@@ -4,14 +4,11 @@
 
 #include <optional>
 
-#include <QTextCursor>
-
-class QPlainTextEdit;
+#include "liveedit.h"
 
 namespace romanesco {
 
-/// A whole number in an editor's text that something else moves, such as a slider. It is found again however the text
-/// around it changes; setting it is an edit of the text that leaves the cursor, the selection and the view in place.
+/// A whole number in an editor's text that something else moves, such as a slider: see LiveEdit.
 class TextNumber
 {
 public:
@@ -19,8 +16,8 @@ public:
     explicit TextNumber(QPlainTextEdit &editor);
 
     /// The number stands at the positions [begin, end) of the document.
-    void track(int begin, int end);
-    void clear();
+    void track(int begin, int end) { m_edit.track(begin, end); }
+    void clear() { m_edit.clear(); }
 
     /// What the text says now; nothing where no number is tracked or the text there is one no more.
     [[nodiscard]] std::optional<quint64> value() const;
@@ -29,17 +26,11 @@ public:
     /// no number, where it has this value already, or where the text is read-only.
     void setValue(quint64 value);
 
-    void beginGesture();
-    void endGesture();
+    void beginGesture() { m_edit.beginGesture(); }
+    void endGesture() { m_edit.endGesture(); }
 
 private:
-    void replace(const QString &text);
-
-    QPlainTextEdit &m_editor;
-    QTextCursor m_place;
-    bool m_isInGesture = false;
-    /// The document's revision after the gesture's last edit; none before its first.
-    std::optional<int> m_gestureRevision;
+    LiveEdit m_edit;
 };
 
 }

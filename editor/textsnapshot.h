@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 class QTextDocument;
@@ -24,9 +25,18 @@ public:
 
     [[nodiscard]] const std::string &bytes() const { return m_content->bytes; }
 
+    /// As many as the document has blocks.
+    [[nodiscard]] std::size_t lineCount() const { return m_content->lines.size(); }
+    /// Without its end, from 0.
+    [[nodiscard]] std::string_view line(std::size_t number) const;
+
     /// The document's position of a byte; inside a character, the character's. Beyond the end it is the end. Cost: a
     /// binary search and the length of the line.
     [[nodiscard]] int position(std::size_t offset) const;
+
+    /// The way back: the first byte of the character at a position, also in the middle of a surrogate pair. Beyond the
+    /// end it is the end. Cost as of position().
+    [[nodiscard]] std::size_t offset(int position) const;
 
 private:
     struct LineStart {

@@ -22,10 +22,19 @@ struct Selection {
     bool operator==(const Selection &) const = default;
 };
 
+/// Copies that stand out: all that a map leads to, wherever it is picked.
+struct MapSelection {
+    std::size_t item = 0;
+    Step map;
+
+    bool operator==(const MapSelection &) const = default;
+};
+
 /// How the copies of a scene are coloured.
 struct CopyColours {
     Colouring colouring = Colouring::Materials;
     std::optional<Selection> selection;
+    std::optional<MapSelection> map = {};
 
     bool operator==(const CopyColours &) const = default;
 };

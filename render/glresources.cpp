@@ -26,15 +26,29 @@ std::string withMacros(std::string source, const std::vector<const char *> &macr
     return source;
 }
 
+void sampleWithin(GLuint texture)
+{
+    glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTextureParameteri(texture, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 GlTexture makeTexture(int width, int height, GLenum format)
 {
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &name);
     glTextureStorage2D(name, 1, format, width, height);
-    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    sampleWithin(name);
+    return GlTexture(name);
+}
+
+GlTexture bytesOf(GLuint texture)
+{
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glTextureView(name, GL_TEXTURE_2D, texture, GL_RGBA8, 0, 1, 0, 1);
+    sampleWithin(name);
     return GlTexture(name);
 }
 
@@ -99,7 +113,10 @@ std::expected<Target, std::string> makeTarget(int width, int height, GLenum colo
     static_cast<void>(ranOutOfMemory()); // of whoever used the context before
     GLuint name = 0;
     glCreateFramebuffers(1, &name);
-    Target target{width, height, makeTexture(width, height, colourFormat), {}, GlFramebuffer(name)};
+    Target target{width, height, colourFormat, makeTexture(width, height, colourFormat), {}, {}, GlFramebuffer(name)};
+    if (colourFormat == GL_SRGB8_ALPHA8) {
+        target.bytes = bytesOf(target.colour);
+    }
     glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, target.colour, 0);
     if (hasDepth) {
         target.depth = makeTexture(width, height, GL_DEPTH_COMPONENT32F);

@@ -103,7 +103,10 @@ struct ShaderStage {
 struct Target {
     int width = 0;
     int height = 0;
+    GLenum colourFormat = 0;
     GlTexture colour;
+    /// Of GL_SRGB8_ALPHA8, the same bytes as they are, not as light.
+    GlTexture bytes;
     GlTexture depth;
     GlFramebuffer framebuffer;
 };

@@ -59,6 +59,15 @@ void OrbitCamera::refit(const Scene &scene, double aspect)
     m_pivot = m_camera.position + forward * glm::dot(scene.extent.centre() - m_camera.position, forward);
 }
 
+void OrbitCamera::frame(const Sphere &ball, double aspect)
+{
+    const double half = 0.5 * m_camera.fieldOfView * std::numbers::pi / 180.0;
+    const double narrower = std::atan(std::tan(half) * std::min(1.0, aspect));
+    m_pivot = ball.centre;
+    m_camera.position = m_pivot - m_camera.worldFromCamera[2] * (ball.radius / std::sin(narrower));
+    m_camera.viewHeight = 2.0 * ball.radius / std::min(1.0, aspect);
+}
+
 void OrbitCamera::fly(const glm::dvec3 &way)
 {
     const glm::dvec3 move = distance() * (m_camera.worldFromCamera * way);

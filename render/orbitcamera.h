@@ -22,6 +22,9 @@ public:
     /// The same direction, the whole scene in view.
     void refit(const Scene &scene, double aspect);
 
+    /// The same direction, a ball in view.
+    void frame(const Sphere &ball, double aspect);
+
     /// Looks at the pivot in the given direction: yaw from forward (z) to the right (x), pitch upwards.
     void look(double yawDegrees, double pitchDegrees);
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <tuple>
 
 #include <epoxy/gl.h>
 
@@ -69,12 +70,15 @@ public:
             return std::unexpected(std::string(wasReset));
         }
         static_cast<void>(ranOutOfMemory()); // of whoever used the context before
-        const std::pair<GlProgram *, std::pair<const char *, const char *>> programs[] = {
-            {&m_accumulateProgram, {shaders::fullscreen_vert, shaders::accumulate_frag}},
-            {&m_presentProgram, {shaders::fullscreen_vert, shaders::present_frag}},
+        using Macros = std::vector<const char *>;
+        const std::tuple<GlProgram *, const char *, Macros> programs[] = {
+            {&m_accumulateProgram, shaders::accumulate_frag, {}},
+            {&m_presentProgram, shaders::present_frag, {}},
+            {&m_presentSingleProgram, shaders::present_frag, {"SINGLE"}},
         };
-        for (const auto &[program, stages] : programs) {
-            auto made = makeProgram({{GL_VERTEX_SHADER, stages.first}, {GL_FRAGMENT_SHADER, stages.second}});
+        for (const auto &[program, fragment, macros] : programs) {
+            auto made =
+                makeProgram({{GL_VERTEX_SHADER, shaders::fullscreen_vert}, {GL_FRAGMENT_SHADER, fragment, macros}});
             if (!made) {
                 return std::unexpected(made.error());
             }
@@ -113,8 +117,9 @@ public:
         }
         const bool isDeep = view.surroundings && view.surroundings->scene == m_scene;
         m_surroundings = isDeep ? view.surroundings : m_world;
-        if (m_pass.width != view.width || m_pass.height != view.height) {
-            auto target = makeTarget(view.width, view.height, GL_RGBA16F, true);
+        const GLenum format = view.samples == 1 ? GL_SRGB8_ALPHA8 : GL_RGBA16F;
+        if (m_pass.width != view.width || m_pass.height != view.height || m_pass.colourFormat != format) {
+            auto target = makeTarget(view.width, view.height, format, true);
             if (!target) {
                 fail(target.error());
                 return;
@@ -132,10 +137,7 @@ public:
     bool step(std::chrono::milliseconds budget)
     {
         const Clock::time_point end = Clock::now() + budget;
-        if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
-            m_isLost = true;
-            fail(wasReset);
-        }
+        noticeReset();
         do {
             if (isFinished()) {
                 break;
@@ -162,16 +164,26 @@ public:
         }
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
-        glUseProgram(m_presentProgram);
-        glUniform1f(0, static_cast<float>(m_sumCount));
+        const bool isSingle = m_shown == &m_single;
+        if (isSingle) {
+            glUseProgram(m_presentSingleProgram);
+        } else {
+            glUseProgram(m_presentProgram);
+            glUniform1f(0, static_cast<float>(m_sumCount));
+        }
         glUniform3fv(1, 1, m_view.backgroundTop.data());
         glUniform3fv(2, 1, m_view.backgroundBottom.data());
-        glBindTextureUnit(0, m_shown->colour);
+        const GLuint texture = isSingle ? m_shown->bytes : m_shown->colour;
+        // Between pixels only where there are others.
+        const bool isScaled = width != m_shown->width || height != m_shown->height;
+        glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
+        glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
+        glBindTextureUnit(0, texture);
         glBindVertexArray(m_emptyArray);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    Picture read() const
+    Picture read()
     {
         auto target = makeTarget(m_shown->width, m_shown->height, GL_RGBA8, false);
         if (!target || m_sumCount == 0) {
@@ -183,6 +195,10 @@ public:
         std::vector<std::uint8_t> pixels(rowBytes * static_cast<std::size_t>(picture.height));
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, picture.width, picture.height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+        noticeReset();
+        if (m_isLost) {
+            return {};
+        }
 
         // The card counts rows from the bottom.
         picture.pixels.reserve(pixels.size());
@@ -207,6 +223,14 @@ private:
         m_error = std::move(words);
         m_cut.reset();
         m_scene.reset();
+    }
+
+    void noticeReset()
+    {
+        if (glGetGraphicsResetStatus() != GL_NO_ERROR) {
+            m_isLost = true;
+            fail(wasReset);
+        }
     }
 
     // ---- Resources
@@ -244,10 +268,7 @@ private:
         }
         if (m_cut) {
             const Surfaces::Pass pass{*m_projector, static_cast<unsigned>(m_passes)};
-            if (const auto begun = m_surfaces.beginPass(pass, *m_surroundings, m_view.appearance); !begun) {
-                fail(begun.error());
-                return;
-            }
+            m_surfaces.beginPass(pass, *m_surroundings, m_view.appearance);
         }
         const GLfloat nothing[] = {0.0f, 0.0f, 0.0f, 0.0f};
         const GLfloat farthest = 0.0f;
@@ -284,9 +305,15 @@ private:
             const bool hasTints = !tints.empty();
             const GLuint first =
                 m_ring.put(copies.subspan(at, count), hasTints ? tints.subspan(at, count) : std::span<const Tint>());
-            m_surfaces.draw(m_onCard, model, first, count, hasTints);
+            const auto drawn = m_surfaces.draw(m_onCard, model, first, count, hasTints);
             m_ring.sent();
+            if (!drawn) {
+                glDisable(GL_FRAMEBUFFER_SRGB);
+                fail(drawn.error());
+                return;
+            }
         }
+        glDisable(GL_FRAMEBUFFER_SRGB);
         m_looks.sent(copies.size() * faces);
         glFlush();
     }
@@ -298,6 +325,7 @@ private:
         glDisable(GL_BLEND);
         glDisable(GL_CULL_FACE);
         glDisable(GL_SCISSOR_TEST);
+        glEnable(GL_FRAMEBUFFER_SRGB); // which is for formats that have it
         // Reversed depth in floats: as fine far away as near.
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_GREATER);
@@ -317,6 +345,10 @@ private:
 
     void finishPass()
     {
+        noticeReset();
+        if (m_isLost) {
+            return;
+        }
         if (ranOutOfMemory()) {
             fail("The graphics driver ran out of memory.");
             return;
@@ -392,6 +424,7 @@ private:
 
     GlProgram m_accumulateProgram;
     GlProgram m_presentProgram;
+    GlProgram m_presentSingleProgram;
     GlVertexArray m_emptyArray;
     CopyRing m_ring;
     GpuScene m_onCard;

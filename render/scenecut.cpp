@@ -105,11 +105,9 @@ void SceneCut::setDepths(const Depths *depths)
 
 void SceneCut::beginItem(Cut &cut)
 {
-    const std::optional<Selection> &selection = m_colours.selection;
-    const bool isSelected = selection && selection->item == item();
     const bool isOnPath = m_surroundings->pathItem == item();
-    cut.setTinter(Tinter(model().graph, m_colours.colouring, isSelected ? &selection->steps : nullptr,
-                         isOnPath ? std::span(m_surroundings->path) : std::span<const Step>()));
+    cut.setTinter(
+        Tinter(model().graph, m_colours, item(), isOnPath ? std::span(m_surroundings->path) : std::span<const Step>()));
     cut.begin(m_projector, m_runs.front(), m_tolerance);
 }
 

@@ -10,6 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/dynamicfractal.h"
+
 namespace romanesco {
 
 namespace {
@@ -67,16 +69,36 @@ void SceneView::start(const Camera &camera)
 bool SceneView::startFrom(const SavedView &view)
 {
     toWorld();
-    if (view.place) {
-        const auto enter = [&](const Step &step) { return m_anchor->enter(step); };
-        if (!enter({0, static_cast<std::uint32_t>(view.place->item)})
-            || !std::ranges::all_of(view.place->steps, enter)) {
-            return false;
-        }
+    if (view.place && !enter(view.place->item, view.place->steps)) {
+        return false;
     }
     settle();
     m_orbit.start(cameraOf(view.camera), m_surroundings->nearby);
     m_orbit.setNearby(2.0 * m_surroundings->nearby.radius, m_anchor->isInWorld());
+    if (m_trail) {
+        follow();
+    }
+    return true;
+}
+
+/// From the world.
+bool SceneView::enter(std::size_t item, std::span<const Step> steps)
+{
+    return m_anchor->enter({0, static_cast<std::uint32_t>(item)})
+        && std::ranges::all_of(steps, [&](const Step &step) { return m_anchor->enter(step); });
+}
+
+bool SceneView::goTo(std::size_t item, std::span<const Step> steps, double aspect)
+{
+    const SceneView before = *this;
+    toWorld();
+    if (!enter(item, steps) || !(m_anchor->bound().radius > 0.0)) {
+        *this = before;
+        return false;
+    }
+    settle();
+    m_orbit.frame(m_anchor->bound(), aspect);
+    follow();
     return true;
 }
 
@@ -182,9 +204,7 @@ std::optional<SceneView::Picked> SceneView::pick(const glm::dvec2 &pointer, doub
     const Surroundings::Node &root = m_surroundings->nodes[hit.root];
     const auto shared = m_surroundings->path.begin() + static_cast<std::ptrdiff_t>(root.sharedSteps);
     Picked picked{m_walk->item(), {m_surroundings->path.begin(), shared}, hit.t};
-    if (root.step) {
-        picked.steps.push_back(*root.step);
-    }
+    picked.steps.insert(picked.steps.end(), root.steps.begin(), root.steps.end());
     picked.steps.insert(picked.steps.end(), hit.choices.begin(), hit.choices.end());
     return picked;
 }
@@ -193,6 +213,15 @@ void SceneView::setProjection(Projection projection)
 {
     m_orbit.setProjection(projection);
     follow();
+}
+
+void SceneView::setTrail(std::optional<std::size_t> trail)
+{
+    m_trail = trail;
+    follow();
+    if (m_anchor) {
+        settle();
+    }
 }
 
 /// What is near a camera is what it stands at; of an orthographic one, which stands nowhere, what is in the middle of the
@@ -204,20 +233,22 @@ void SceneView::follow()
     }
     const Camera &camera = m_orbit.camera();
     const bool isPerspective = camera.projection == Projection::Perspective;
-    const auto moves = m_anchor->follow(isPerspective ? camera.position : m_orbit.pivot(),
-                                        isPerspective ? 0.0 : 0.5 * camera.viewHeight);
+    const auto moves = m_trail ? m_anchor->leave()
+                               : m_anchor->follow(isPerspective ? camera.position : m_orbit.pivot(),
+                                                  isPerspective ? 0.0 : 0.5 * camera.viewHeight);
     for (const Anchor::Move &move : moves) {
         m_orbit.move(move);
     }
-    if (!moves.empty()) {
+    if (m_trail || !moves.empty()) {
         settle();
     }
 }
 
 void SceneView::settle()
 {
-    m_surroundings = m_anchor->surroundings();
-    m_orbit.setNearby(2.0 * m_surroundings->nearby.radius, m_anchor->isInWorld());
+    m_surroundings = m_trail ? dynamicSurroundings(m_scene, camera().position, *m_trail) : m_anchor->surroundings();
+    const Sphere &nearby = m_surroundings->nearby;
+    m_orbit.setNearby(2.0 * nearby.radius, m_anchor->isInWorld() && nearby.radius >= m_anchor->bound().radius);
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene/anchor.h"
@@ -29,6 +30,10 @@ public:
     /// All of the scene, from where the camera looks now.
     void refit(double aspect);
 
+    /// All that some steps from the root of an item lead to, from where the camera looks now; false where there is no such
+    /// way, or nothing at its end.
+    bool goTo(std::size_t item, std::span<const Step> steps, double aspect);
+
     // As OrbitCamera's.
     void look(double yawDegrees, double pitchDegrees);
     void orbit(const glm::dvec2 &movement);
@@ -39,6 +44,11 @@ public:
     /// Towards or away from the surface under the pointer, where there is one and it can be found.
     void zoom(double factor, const glm::dvec2 &pointer);
     void setProjection(Projection projection);
+
+    /// With a number, what is seen is the dissertation's dynamic fractals with so long a trail (see dynamicSurroundings()),
+    /// and the view is counted from the world.
+    void setTrail(std::optional<std::size_t> trail);
+    [[nodiscard]] const std::optional<std::size_t> &trail() const { return m_trail; }
 
     /// Lets surfaces be found under the pointer; of another scene than the one that is looked at it is of no use.
     void setRayWalk(std::shared_ptr<SceneRayWalk> walk) { m_walk = std::move(walk); }
@@ -69,12 +79,14 @@ public:
 
 private:
     void toWorld();
+    [[nodiscard]] bool enter(std::size_t item, std::span<const Step> steps);
     [[nodiscard]] bool startFrom(const SavedView &view);
     void follow();
     void settle();
 
     std::shared_ptr<const Scene> m_scene;
     std::optional<Anchor> m_anchor;
+    std::optional<std::size_t> m_trail;
     std::shared_ptr<const Surroundings> m_surroundings;
     OrbitCamera m_orbit;
     std::shared_ptr<SceneRayWalk> m_walk;

@@ -24,13 +24,11 @@ struct PassBlock {
     GLfloat near;
     GLfloat range;
     GLint isPerspective;
-    GLint isSmooth;
     GLint isLit;
     GLuint number;
     GLint lightCount;
-    std::array<GLint, 3> padding;
 };
-static_assert(sizeof(PassBlock) == 64);
+static_assert(sizeof(PassBlock) == 48);
 
 struct LightBlock {
     std::array<GLfloat, 4> place;
@@ -44,7 +42,11 @@ constexpr double farthestLight = 1e15;
 constexpr GLuint passBinding = 0;
 constexpr GLuint lightsBinding = 0;
 constexpr GLuint textureUnit = 0;
-enum Uniform { Diffuse, Specular, Shininess, Emission, Opacity, HasTexture };
+enum Uniform { Diffuse, Specular, Shininess, Emission, Opacity };
+
+/// In the order of their macros.
+enum Feature : std::size_t { Smooth, Textured, Coloured, Tinted, Wires, Lamps, SeeThrough, Deep };
+constexpr std::array featureMacros{"SMOOTH", "TEXTURED", "COLOURED", "TINTED", "WIRES", "LAMPS", "SEE_THROUGH", "DEEP"};
 
 /// Whether some of what is behind a surface may show.
 bool isSeeThrough(const Scene &scene)
@@ -76,40 +78,39 @@ std::expected<void, std::string> Surfaces::make()
     m_pass = makeBuffer();
     glNamedBufferStorage(m_pass, sizeof(PassBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
     m_lights = makeBuffer();
-    return use(false, false, false);
+    return use({});
 }
 
-std::expected<void, std::string> Surfaces::use(bool hasWires, bool isDeep, bool isSeeThrough)
+std::expected<void, std::string> Surfaces::use(const Features &features)
 {
-    m_program = (hasWires ? 1 : 0) + (isDeep ? 2 : 0) + (isSeeThrough ? 4 : 0);
-    GlProgram &program = m_programs[m_program];
-    if (program != 0) {
-        return {};
+    GlProgram &program = m_programs[features.to_ulong()];
+    if (program == 0) {
+        std::vector<const char *> macros;
+        for (std::size_t i = 0; i < featureMacros.size(); ++i) {
+            if (features[i]) {
+                macros.push_back(featureMacros[i]);
+            }
+        }
+        const ShaderStage vertex{GL_VERTEX_SHADER, shaders::instance_vert, macros};
+        const ShaderStage geometry{GL_GEOMETRY_SHADER, shaders::instance_geom, macros};
+        const ShaderStage fragment{GL_FRAGMENT_SHADER, shaders::instance_frag, macros};
+        auto made = features[Wires] ? makeProgram({vertex, geometry, fragment}) : makeProgram({vertex, fragment});
+        if (!made) {
+            return std::unexpected(made.error());
+        }
+        program = std::move(*made);
     }
-    const ShaderStage vertex{GL_VERTEX_SHADER, shaders::instance_vert};
-    const ShaderStage geometry{GL_GEOMETRY_SHADER, shaders::instance_geom};
-    ShaderStage fragment{GL_FRAGMENT_SHADER, shaders::instance_frag};
-    if (isDeep) {
-        fragment.macros.push_back("DEEP");
-    }
-    if (isSeeThrough) {
-        fragment.macros.push_back("SEE_THROUGH");
-    }
-    auto made = hasWires ? makeProgram({vertex, geometry, fragment}) : makeProgram({vertex, fragment});
-    if (!made) {
-        return std::unexpected(made.error());
-    }
-    program = std::move(*made);
+    glUseProgram(program);
     return {};
 }
 
-std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Surroundings &surroundings,
-                                                     const Appearance &appearance)
+void Surfaces::beginPass(const Pass &pass, const Surroundings &surroundings, const Appearance &appearance)
 {
     m_appearance = appearance;
-    if (const auto used = use(appearance.hasWires, pass.projector.isDeep(), isSeeThrough(*surroundings.scene)); !used) {
-        return used;
-    }
+    m_passFeatures.set(Wires, appearance.hasWires);
+    m_passFeatures.set(Lamps, !surroundings.scene->lights.empty());
+    m_passFeatures.set(SeeThrough, isSeeThrough(*surroundings.scene));
+    m_passFeatures.set(Deep, pass.projector.isDeep());
     const Projector &projector = pass.projector;
     const PassBlock block{
         .scale = {asFloat(projector.scaleX), asFloat(projector.scaleY)},
@@ -118,15 +119,12 @@ std::expected<void, std::string> Surfaces::beginPass(const Pass &pass, const Sur
         .near = asFloat(projector.near),
         .range = asFloat(projector.range),
         .isPerspective = projector.projection == Projection::Perspective,
-        .isSmooth = appearance.isSmooth,
         .isLit = appearance.isLit,
         .number = pass.number,
         .lightCount = static_cast<GLint>(surroundings.scene->lights.size()),
-        .padding = {},
     };
     glNamedBufferSubData(m_pass, 0, sizeof(block), &block);
     setLights(projector, surroundings);
-    return {};
 }
 
 void Surfaces::setLights(const Projector &projector, const Surroundings &surroundings)
@@ -144,39 +142,45 @@ void Surfaces::setLights(const Projector &projector, const Surroundings &surroun
                       GL_DYNAMIC_DRAW);
 }
 
-void Surfaces::draw(const GpuScene &onCard, const Model &model, GLuint first, std::size_t count, bool hasTints) const
+std::expected<void, std::string> Surfaces::draw(const GpuScene &onCard, const Model &model, GLuint first,
+                                                std::size_t count, bool hasTints)
 {
     const GpuMesh &mesh = onCard.mesh(model);
-    glUseProgram(m_programs[m_program]);
     glBindBufferBase(GL_UNIFORM_BUFFER, passBinding, m_pass);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, lightsBinding, m_lights);
     glBindVertexArray(mesh.array);
     hasTints ? glEnableVertexArrayAttrib(mesh.array, attribute::tint)
              : glDisableVertexArrayAttrib(mesh.array, attribute::tint);
-    // Where the mesh has no attribute.
-    glVertexAttrib4f(attribute::tint, 0.0f, 0.0f, 0.0f, 0.0f);
-    glVertexAttrib3f(attribute::normal, 0.0f, 0.0f, 0.0f);
+    // where a mesh with a texture has no coordinates
     glVertexAttrib2f(attribute::textureCoordinates, 0.0f, 0.0f);
-    glVertexAttrib3f(attribute::colour, 1.0f, 1.0f, 1.0f);
+    Features features = m_passFeatures;
+    features.set(Tinted, hasTints);
+    features.set(Coloured, mesh.colours != 0);
+    features.set(Smooth, m_appearance.isSmooth && mesh.normals != 0);
     for (const MeshArrays::Part &part : mesh.parts) {
-        setMaterial(onCard, *model.mesh, part.material);
+        const Material material =
+            part.material == Mesh::none ? plainMaterial(*model.mesh) : model.mesh->materials[part.material];
+        const GLuint texture = m_appearance.hasTextures ? onCard.texture(material) : 0;
+        features.set(Textured, texture != 0);
+        if (const auto used = use(features); !used) {
+            return used;
+        }
+        glBindTextureUnit(textureUnit, texture);
+        setMaterial(material);
         const auto offset = static_cast<std::uintptr_t>(part.firstFace * sizeof(Mesh::Face));
         glDrawElementsInstancedBaseInstance(GL_TRIANGLES, static_cast<GLsizei>(3 * part.faceCount), GL_UNSIGNED_INT,
                                             reinterpret_cast<const void *>(offset), static_cast<GLsizei>(count), first);
     }
+    return {};
 }
 
-void Surfaces::setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t number) const
+void Surfaces::setMaterial(const Material &material)
 {
-    const Material material = number == Mesh::none ? plainMaterial(mesh) : mesh.materials[number];
-    const GLuint texture = m_appearance.hasTextures ? onCard.texture(material) : 0;
     glUniform3fv(Diffuse, 1, &material.diffuse.x);
     glUniform3fv(Specular, 1, &material.specular.x);
     glUniform1f(Shininess, std::max(material.shininess, 1.0f));
     glUniform3fv(Emission, 1, &material.emission.x);
     glUniform1f(Opacity, material.opacity);
-    glUniform1i(HasTexture, texture != 0);
-    glBindTextureUnit(textureUnit, texture);
 }
 
 }

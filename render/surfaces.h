@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <bitset>
 #include <expected>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -25,23 +27,24 @@ public:
         const Projector &projector;
         unsigned number = 0;
     };
-    /// The error is the compiler's words: programs are made when they are first wanted.
-    [[nodiscard]] std::expected<void, std::string> beginPass(const Pass &pass, const Surroundings &surroundings,
-                                                             const Appearance &appearance);
+    void beginPass(const Pass &pass, const Surroundings &surroundings, const Appearance &appearance);
 
-    /// So many copies in the ring from first on, with all materials of their mesh; into the bound framebuffer.
-    void draw(const GpuScene &onCard, const Model &model, GLuint first, std::size_t count, bool hasTints) const;
+    /// So many copies in the ring from first on, with all materials of their mesh; into the bound framebuffer. The error is
+    /// the compiler's words: programs are made when they are first wanted.
+    [[nodiscard]] std::expected<void, std::string> draw(const GpuScene &onCard, const Model &model, GLuint first,
+                                                        std::size_t count, bool hasTints);
 
 private:
     void setLights(const Projector &projector, const Surroundings &surroundings);
-    void setMaterial(const GpuScene &onCard, const Mesh &mesh, std::uint32_t material) const;
+    static void setMaterial(const Material &material);
 
-    [[nodiscard]] std::expected<void, std::string> use(bool hasWires, bool isDeep, bool isSeeThrough);
+    /// What a program has code for: software computes all that is there for each pixel.
+    using Features = std::bitset<8>;
+    [[nodiscard]] std::expected<void, std::string> use(const Features &features);
 
-    /// With wires or not, for long ranges of depth or not, for scenes that can be seen through or not, which are drawn faster;
-    /// made when they are first wanted.
-    std::array<GlProgram, 8> m_programs;
-    std::size_t m_program = 0;
+    std::map<unsigned long, GlProgram> m_programs;
+    /// Of all draws of the pass.
+    Features m_passFeatures;
     GlBuffer m_pass;
     GlBuffer m_lights;
     Appearance m_appearance;

@@ -11,6 +11,7 @@ namespace romanesco {
 namespace {
 
 constexpr Tint accent{61, 142, 255, 166};
+constexpr Tint second{255, 176, 59, 140};
 
 std::uint8_t asByte(double linear)
 {
@@ -63,16 +64,19 @@ Tint over(const Tint &top, const Tint &below)
 
 }
 
-Tinter::Tinter(const FractalGraph &graph, Colouring colouring, const std::vector<Step> *selected,
-               std::span<const Step> path)
-    : m_colouring(colouring)
-    , m_hasSelection(selected != nullptr)
+Tinter::Tinter(const FractalGraph &graph, const CopyColours &colours, std::size_t item, std::span<const Step> path)
+    : m_colouring(colours.colouring)
+    , m_hasSelection(colours.selection && colours.selection->item == item)
     , m_graph(&graph)
 {
-    if (selected) {
-        for (const Step &step : *selected) {
+    if (m_hasSelection) {
+        for (const Step &step : colours.selection->steps) {
             m_selected.push_back(graph.mapClasses(step.set)[step.map]);
         }
+    }
+    if (colours.map && colours.map->item == item) {
+        m_map = colours.map->map;
+        m_map->map = graph.mapClasses(m_map->set)[m_map->map];
     }
     if (isNeeded()) {
         m_along.push_back(atRoot());
@@ -87,8 +91,11 @@ Marks Tinter::at(const Surroundings::Node &node) const
     if (!isNeeded()) {
         return {};
     }
-    const Marks &marks = m_along[node.sharedSteps];
-    return node.step ? marksBelow(marks, node.step->set, node.step->map) : marks;
+    Marks marks = m_along[node.sharedSteps];
+    for (const Step &step : node.steps) {
+        marks = marksBelow(marks, step.set, step.map);
+    }
+    return marks;
 }
 
 Marks Tinter::atRoot() const
@@ -132,13 +139,15 @@ Marks Tinter::marksBelow(const Marks &marks, SetId set, std::uint32_t map) const
         const bool isNext = m_graph->mapClasses(set)[map] == m_selected[marks.matched];
         below.matched = isNext ? marks.matched + 1 : Marks::strayed;
     }
+    below.hasMap = marks.hasMap || (m_map && m_map->set == set && m_graph->mapClasses(set)[map] == m_map->map);
     return below;
 }
 
 Tint Tinter::tint(const Marks &marks) const
 {
     const bool isSelected = m_hasSelection && marks.matched == m_selected.size();
-    return isSelected ? over(accent, marks.tint) : marks.tint;
+    const Tint own = marks.hasMap ? over(second, marks.tint) : marks.tint;
+    return isSelected ? over(accent, own) : own;
 }
 
 }

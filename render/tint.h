@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct Marks {
     SetId chain = noChain;
     /// As many of the selected steps lead here, or `strayed`.
     std::uint32_t matched = 0;
+    /// The map that stands out is among the picks.
+    bool hasMap = false;
 
     static constexpr std::uint32_t strayed = 0xffffffff;
     static constexpr SetId noChain = 0xffffffff;
@@ -34,12 +37,11 @@ class Tinter
 {
 public:
     Tinter() = default;
-    /// Without selected steps none stands out. graph must outlive it. path: what nodes share (see Surroundings).
-    Tinter(const FractalGraph &graph, Colouring colouring, const std::vector<Step> *selected,
-           std::span<const Step> path);
+    /// What stands out of an item. graph must outlive it. path: what nodes share (see Surroundings).
+    Tinter(const FractalGraph &graph, const CopyColours &colours, std::size_t item, std::span<const Step> path);
 
     /// Whether any copy has a tint.
-    [[nodiscard]] bool isNeeded() const { return m_colouring != Colouring::Materials || m_hasSelection; }
+    [[nodiscard]] bool isNeeded() const { return m_colouring != Colouring::Materials || m_hasSelection || m_map; }
 
     [[nodiscard]] Marks at(const Surroundings::Node &node) const;
     /// Of the child that a map of a set leads to.
@@ -59,6 +61,8 @@ private:
     const FractalGraph *m_graph = nullptr;
     /// The classes of the maps: from a state, equal maps lead to equal copies.
     std::vector<std::uint32_t> m_selected;
+    /// Its set, and its class.
+    std::optional<Step> m_map;
     /// After each step of the path.
     std::vector<Marks> m_along;
 };

@@ -2,12 +2,25 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 
+// What is not set here costs nothing: software computes all branches for all pixels. Beside those of the vertex stage
+// there are WIRES, LAMPS (the scene's own lights), SEE_THROUGH and DEEP.
 layout(location = 0) in vec3 cameraPosition;
+#ifdef SMOOTH
 layout(location = 1) in vec3 cameraNormal;
+#endif
+#ifdef TEXTURED
 layout(location = 2) in vec2 texturePlace;
+#endif
+#ifdef COLOURED
 layout(location = 3) in vec3 colour;
+#endif
+#ifdef TINTED
 layout(location = 4) flat in vec4 tint;
+#endif
+#ifdef WIRES
+// In pixels.
 layout(location = 5) noperspective in vec3 edgeDistance;
+#endif
 
 layout(std140, binding = 0) uniform Pass {
     vec2 scale;
@@ -16,7 +29,6 @@ layout(std140, binding = 0) uniform Pass {
     float near;
     float range;
     bool isPerspective;
-    bool isSmooth;
     bool isLit;
     uint number;
     int lightCount;
@@ -28,7 +40,6 @@ layout(location = 1) uniform vec3 specular;
 layout(location = 2) uniform float shininess;
 layout(location = 3) uniform vec3 emission;
 layout(location = 4) uniform float opacity;
-layout(location = 5) uniform bool hasTexture;
 layout(binding = 0) uniform sampler2D diffuseTexture;
 
 struct Light {
@@ -84,7 +95,10 @@ void main()
     vec3 toViewer = isPerspective ? -normalize(cameraPosition) : vec3(0.0, 0.0, -1.0);
     plane = dot(plane, toViewer) < 0.0 ? -plane : plane;
 
-    vec4 texel = hasTexture ? texture(diffuseTexture, texturePlace) : vec4(1.0);
+    vec4 texel = vec4(1.0);
+#ifdef TEXTURED
+    texel = texture(diffuseTexture, texturePlace);
+#endif
 #ifdef SEE_THROUGH
     // What is see-through covers as many of the samples as it is opaque.
     float solid = opacity * texel.a;
@@ -92,31 +106,43 @@ void main()
         discard;
     }
 #endif
-    vec3 own = mix(diffuse * colour * texel.rgb, linearFromSrgb(tint.rgb), tint.a);
+    vec3 own = diffuse * texel.rgb;
+#ifdef COLOURED
+    own *= colour;
+#endif
+#ifdef TINTED
+    own = mix(own, linearFromSrgb(tint.rgb), tint.a);
+#endif
 
     vec3 light = own;
     if (isLit) {
         vec3 normal = plane;
+#ifdef SMOOTH
         float size = length(cameraNormal);
-        if (isSmooth && size > 0.0) {
+        if (size > 0.0) {
             normal = cameraNormal / size;
             normal = dot(normal, plane) < 0.0 ? -normal : normal;
         }
+#endif
         light = own * mix(ground, sky, 0.5 + 0.5 * normal.y);
-        if (lightCount == 0) {
-            light += shaded(own, normal, toViewer, toSun, sun);
-        }
+#ifdef LAMPS
         for (int i = 0; i < lightCount; ++i) {
             vec3 toLight = normalize(lights[i].place.xyz - cameraPosition);
             light += shaded(own, normal, toViewer, toLight, lights[i].colour.rgb);
         }
+#else
+        light += shaded(own, normal, toViewer, toSun, sun);
+#endif
     }
     light += emission;
+#ifdef WIRES
     float edge = min(edgeDistance.x, min(edgeDistance.y, edgeDistance.z));
+    light = mix(light, wire, 0.85 * (1.0 - smoothstep(0.4, 1.2, edge)));
+#endif
 #ifdef DEEP
     // Orthographic, over many sizes: in logarithms, as fine near the camera's plane as far from it.
     float way = log2(1.0 + abs(cameraPosition.z)) / log2(1.0 + range);
     gl_FragDepth = 0.5 - 0.5 * sign(cameraPosition.z) * way;
 #endif
-    result = vec4(mix(light, wire, 0.85 * (1.0 - smoothstep(0.4, 1.2, edge))), 1.0);
+    result = vec4(light, 1.0);
 }

@@ -7,10 +7,18 @@ layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 
 layout(location = 0) in vec3 cornerPosition[];
+#ifdef SMOOTH
 layout(location = 1) in vec3 cornerNormal[];
+#endif
+#ifdef TEXTURED
 layout(location = 2) in vec2 cornerTexture[];
+#endif
+#ifdef COLOURED
 layout(location = 3) in vec3 cornerColour[];
+#endif
+#ifdef TINTED
 layout(location = 4) flat in vec4 cornerTint[];
+#endif
 
 layout(std140, binding = 0) uniform Pass {
     vec2 scale;
@@ -19,17 +27,24 @@ layout(std140, binding = 0) uniform Pass {
     float near;
     float range;
     bool isPerspective;
-    bool isSmooth;
     bool isLit;
     uint number;
     int lightCount;
 };
 
 layout(location = 0) out vec3 cameraPosition;
+#ifdef SMOOTH
 layout(location = 1) out vec3 cameraNormal;
+#endif
+#ifdef TEXTURED
 layout(location = 2) out vec2 texturePlace;
+#endif
+#ifdef COLOURED
 layout(location = 3) out vec3 colour;
+#endif
+#ifdef TINTED
 layout(location = 4) flat out vec4 tint;
+#endif
 layout(location = 5) noperspective out vec3 edgeDistance;
 
 // Triangles whose heights are less than this many pixels show no wires, lest there be nothing else.
@@ -56,10 +71,18 @@ void main()
     bool hasWires = height.x < 1e9;
     for (int i = 0; i < 3; ++i) {
         cameraPosition = cornerPosition[i];
+#ifdef SMOOTH
         cameraNormal = cornerNormal[i];
+#endif
+#ifdef TEXTURED
         texturePlace = cornerTexture[i];
+#endif
+#ifdef COLOURED
         colour = cornerColour[i];
+#endif
+#ifdef TINTED
         tint = cornerTint[i];
+#endif
         edgeDistance = hasWires ? vec3(0.0) : height;
         if (hasWires) {
             edgeDistance[i] = height[i];

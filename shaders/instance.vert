@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 
+// SMOOTH, TEXTURED, COLOURED, TINTED are set for what there is of the kind in a draw.
+
 // The base mesh within the unit sphere, and for each copy the three rows of cameraFromMesh: everything is relative to
 // the camera, in its axes, in units of the view.
 layout(location = 0) in vec3 position;
@@ -24,31 +26,43 @@ layout(std140, binding = 0) uniform Pass {
     float near;
     float range;
     bool isPerspective;
-    bool isSmooth;
     bool isLit;
     uint number;
     int lightCount;
 };
 
 layout(location = 0) out vec3 cameraPosition;
+#ifdef SMOOTH
 layout(location = 1) out vec3 cameraNormal;
+#endif
+#ifdef TEXTURED
 layout(location = 2) out vec2 texturePlace;
+#endif
+#ifdef COLOURED
 layout(location = 3) out vec3 colour;
+#endif
+#ifdef TINTED
 layout(location = 4) flat out vec4 tint;
-// In pixels, where wires are drawn.
-layout(location = 5) noperspective out vec3 edgeDistance;
+#endif
 
 void main()
 {
     vec4 point = vec4(position, 1.0);
     cameraPosition = vec3(dot(row0, point), dot(row1, point), dot(row2, point));
+#ifdef SMOOTH
     // The cofactors: right for sheared and flat copies too, but for the sign, which the fragment stage finds.
     mat3 cofactors = mat3(cross(row1.xyz, row2.xyz), cross(row2.xyz, row0.xyz), cross(row0.xyz, row1.xyz));
     cameraNormal = meshNormal * cofactors;
+#endif
+#ifdef TEXTURED
     texturePlace = meshTexture;
+#endif
+#ifdef COLOURED
     colour = meshColour;
+#endif
+#ifdef TINTED
     tint = copyTint;
-    edgeDistance = vec3(1e9);
+#endif
     float w = isPerspective ? cameraPosition.z : 1.0;
     float depth = isPerspective ? near : 0.5 - 0.5 * cameraPosition.z / range;
     gl_Position = vec4(scale * cameraPosition.xy + jitter * w, depth, w);

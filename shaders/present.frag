@@ -21,11 +21,18 @@ vec3 srgbFromLinear(vec3 c)
     return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
 
-// The sum of the samples holds light and coverage; what is not covered shows the background.
+// What is not covered shows the background.
 void main()
 {
+    vec3 behind = mix(backgroundBottom, backgroundTop, place.y);
+#ifdef SINGLE
+    // One sample is as it will be shown, and covered or not.
+    vec4 picture = texture(accumulated, place);
+    colour = vec4(behind * (1.0 - picture.a) + picture.rgb, 1.0);
+#else
+    // The sum of the samples holds light and coverage.
     vec4 picture = texture(accumulated, place) / sampleCount;
-    vec3 background = linearFromSrgb(mix(backgroundBottom, backgroundTop, place.y));
-    vec3 light = picture.rgb + (1.0 - picture.a) * background;
+    vec3 light = picture.rgb + (1.0 - picture.a) * linearFromSrgb(behind);
     colour = vec4(srgbFromLinear(clamp(light, 0.0, 1.0)), 1.0);
+#endif
 }

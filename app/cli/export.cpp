@@ -11,7 +11,6 @@
 #include <format>
 #include <optional>
 #include <print>
-#include <system_error>
 
 #include <QCommandLineParser>
 #include <QFile>
@@ -80,19 +79,6 @@ std::optional<ExportOptions> exportOptions(const QCommandLineParser &parser, con
         }
     }
     return result;
-}
-
-/// Whether the output, or the file of materials beside it, is one of the files that are read.
-bool isInput(const std::filesystem::path &output, ExportFormat format, const Input &input)
-{
-    const auto isRead = [&](const std::filesystem::path &file) {
-        return std::ranges::any_of(input.files, [&](const std::filesystem::path &read) {
-            std::error_code ignored;
-            return std::filesystem::equivalent(file, read, ignored);
-        });
-    };
-    return isRead(output)
-        || (format == ExportFormat::Obj && isRead(std::filesystem::path(output).replace_extension(".mtl")));
 }
 
 /// "1.92 MB"; from 10^18 bytes on "3.3e+41 bytes".
@@ -215,7 +201,7 @@ int runExport(const QStringList &arguments)
     }
     const QString output = parser.value(options.output);
     const bool isStreamed = output == QLatin1String("-");
-    if (!isStreamed && isInput(outputPath(output), wanted->format, *input)) {
+    if (!isStreamed && writesOver(outputPath(output), wanted->format, input->files)) {
         complain(QStringLiteral("%1, or its materials, would be written over a file that it is made from").arg(output));
         return WrongUsage;
     }

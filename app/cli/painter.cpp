@@ -50,6 +50,9 @@ std::expected<Picture, int> Painter::draw(const View &view, Progress &progress, 
         return fail(m_renderer->error());
     }
     Picture picture = m_renderer->read();
+    if (picture.pixels.empty() && !m_renderer->error().empty()) {
+        return fail(m_renderer->error());
+    }
     if (picture.pixels.empty()) {
         return fail(std::format("The graphics driver has no room for a picture of {}x{}.", view.width, view.height));
     }

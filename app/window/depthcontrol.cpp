@@ -22,19 +22,19 @@ constexpr int sliderWidth = 160;
 
 }
 
-DepthControl::DepthControl(QWidget *parent)
+DepthControl::DepthControl(const QString &name, QWidget *parent)
     : QWidget(parent)
     , m_slider(new QSlider(Qt::Horizontal))
     , m_box(new WholeNumberBox)
 {
-    auto *label = new QLabel(tr("Depth"));
+    auto *label = new QLabel(name);
     label->setBuddy(m_box);
-    const QString tip = tr("Depth: changes the number of iterations in the text");
-    m_slider->setAccessibleName(tr("Depth"));
+    const QString tip = tr("%1: changes the number of iterations in the text").arg(name);
+    m_slider->setAccessibleName(name);
     m_slider->setToolTip(tip);
     m_slider->setFixedWidth(sliderWidth);
     m_slider->setPageStep(1);
-    m_box->setAccessibleName(tr("Depth, as a number"));
+    m_box->setAccessibleName(tr("%1, as a number").arg(name));
     m_box->setToolTip(tip);
 
     auto *layout = new QHBoxLayout(this);

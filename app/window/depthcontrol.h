@@ -12,12 +12,13 @@ namespace romanesco {
 
 class WholeNumberBox;
 
-/// The depth of the fractal: a slider for the depths that make sense to look at, and a box for every other.
+/// A number of iterations: a slider for the depths that make sense to look at, and a box for every other.
 class DepthControl : public QWidget
 {
     Q_OBJECT
 public:
-    explicit DepthControl(QWidget *parent = nullptr);
+    /// Of what its name says.
+    explicit DepthControl(const QString &name, QWidget *parent = nullptr);
 
     /// Shows what the text says, without a signal; nothing disables the control.
     void setDepth(std::optional<quint64> depth);

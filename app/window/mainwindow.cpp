@@ -2,11 +2,6 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "mainwindow.h"
 
-#include <algorithm>
-#include <utility>
-
-#include <QActionGroup>
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDockWidget>
@@ -15,39 +10,29 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSaveFile>
-#include <QSet>
-#include <QSettings>
 #include <QSplitter>
 #include <QTextBlock>
 #include <QToolBar>
-#include <QVBoxLayout>
 
-#include "addresswords.h"
-#include "core/text/linemap.h"
+#include "addresspane.h"
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
+#include "exportdialog.h"
 #include "messagestrip.h"
+#include "parameterspane.h"
 #include "problemsview.h"
+#include "recoverydialog.h"
 #include "statusline.h"
+#include "texttab.h"
+#include "texttabs.h"
+#include "viewcontrols.h"
 #include "viewport.h"
 #include "viewportpane.h"
+#include "windowstate.h"
 
 namespace romanesco {
 
 namespace {
-
-const QString examplesFolder = QStringLiteral(":/examples");
-
-/// Window sizes and such are state, not settings (XDG Base Directory 0.8).
-QString stateFile()
-{
-    QString folder = qEnvironmentVariable("XDG_STATE_HOME");
-    if (folder.isEmpty()) {
-        folder = QDir::home().filePath(QStringLiteral(".local/state"));
-    }
-    return folder + QStringLiteral("/romanesco/window.ini");
-}
 
 QString fileFilter()
 {
@@ -59,32 +44,36 @@ QString fileFilter()
 
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
-    , m_editor(new FdoEditor)
-    , m_message(new MessageStrip(MessageStrip::Closing::ByUser))
+    , m_tabs(new TextTabs)
     , m_pane(new ViewportPane)
     , m_viewport(m_pane->viewport())
     , m_problems(new ProblemsView)
     , m_problemsDock(new QDockWidget(tr("Problems"), this))
+    , m_address(new AddressPane)
+    , m_addressDock(new QDockWidget(tr("Address"), this))
+    , m_parameters(new ParametersPane)
+    , m_parametersDock(new QDockWidget(tr("Parameters"), this))
     , m_splitter(new QSplitter)
-    , m_depthControl(new DepthControl)
+    , m_depthControl(new DepthControl(tr("Depth")))
     , m_status(new StatusLine)
     , m_actions(*this, m_viewport)
-    , m_document(*m_editor, m_files)
-    , m_depth(*m_editor)
-    , m_preview(std::make_unique<ResourceFiles>())
+    , m_textActions(*this)
+    , m_pictureActions(
+          *this, [this] { return m_viewport.grabFramebuffer(); },
+          [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
+    , m_lostTexts(*this)
 {
     layOut();
     createToolBar();
     createMenus();
     connectFileActions();
-    connectEditActions();
+    connectPanels();
     connectViewActions();
-    connectPreview();
+    connectViewport();
     setAcceptDrops(true);
     restoreLayout();
-    showCursorPlace();
-    updateTitle();
-    m_editor->setFocus();
+    takeTab();
+    tab().editor().setFocus();
 }
 
 MainWindow::~MainWindow() = default;
@@ -93,14 +82,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::layOut()
 {
-    auto *textSide = new QWidget;
-    auto *column = new QVBoxLayout(textSide);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_message);
-    column->addWidget(m_editor, 1);
-
-    m_splitter->addWidget(textSide);
+    m_splitter->addWidget(m_tabs);
     m_splitter->addWidget(m_pane);
     m_splitter->setChildrenCollapsible(false);
     // The picture takes what a larger window gives.
@@ -110,6 +92,14 @@ void MainWindow::layOut()
     m_problemsDock->setObjectName(QStringLiteral("problems"));
     m_problemsDock->setWidget(m_problems);
     addDockWidget(Qt::BottomDockWidgetArea, m_problemsDock);
+    m_addressDock->setObjectName(QStringLiteral("address"));
+    m_addressDock->setWidget(m_address);
+    addDockWidget(Qt::BottomDockWidgetArea, m_addressDock);
+    m_parametersDock->setObjectName(QStringLiteral("parameters"));
+    m_parametersDock->setWidget(m_parameters);
+    addDockWidget(Qt::BottomDockWidgetArea, m_parametersDock);
+    tabifyDockWidget(m_addressDock, m_parametersDock);
+    tabifyDockWidget(m_parametersDock, m_problemsDock);
     setStatusBar(m_status);
 }
 
@@ -118,126 +108,99 @@ void MainWindow::createToolBar()
     QToolBar *bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
-    m_actions.fill(*bar);
+    m_actions.fill(*bar, m_textActions);
     bar->addWidget(m_depthControl);
 }
 
 void MainWindow::createMenus()
 {
     const WindowActions::OpenMenus menus = m_actions.fill(*menuBar());
+    menus.file->insertActions(menus.endOfFiles, {m_pictureActions.save(), m_pictureActions.copy()});
+    m_textActions.fillEdit(*menus.edit);
+    m_textActions.fillGo(*menus.go);
+    m_textActions.fillView(*menus.view);
     const QStringList kinds{QStringLiteral("*.fdo"), QStringLiteral("*.sdo")};
-    for (const QString &name : QDir(examplesFolder).entryList(kinds, QDir::Files, QDir::Name)) {
+    for (const QString &name : QDir(TextTabs::examplesFolder).entryList(kinds, QDir::Files, QDir::Name)) {
         const QString plain = name.chopped(4);
         QAction *action =
             menus.examples->addAction(name.endsWith(QLatin1String(".sdo")) ? tr("%1 (scene)").arg(plain) : plain);
-        connect(action, &QAction::triggered, this, [this, name] { openFile(examplesFolder + u'/' + name); });
+        connect(action, &QAction::triggered, this, [this, name] { openFile(TextTabs::examplesFolder + u'/' + name); });
     }
-    menus.window->addAction(m_problemsDock->toggleViewAction());
+    connect(menus.recent, &QMenu::aboutToShow, this, [this, menu = menus.recent] { fillRecent(*menu); });
+    for (const QDockWidget *dock : {m_problemsDock, m_parametersDock, m_addressDock}) {
+        menus.window->addAction(dock->toggleViewAction());
+    }
+}
+
+void MainWindow::fillRecent(QMenu &menu)
+{
+    menu.clear();
+    for (const QString &path : TextTabs::recentFiles()) {
+        const QAction *action = menu.addAction(QDir::toNativeSeparators(path).replace(u'&', QStringLiteral("&&")));
+        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
+    }
+    if (menu.isEmpty()) {
+        menu.addAction(tr("None yet"))->setEnabled(false);
+    }
 }
 
 void MainWindow::connectFileActions()
 {
-    connect(m_actions.newFile, &QAction::triggered, this, [this] {
-        if (mayDropText()) {
-            m_document.startNew();
-        }
-    });
-    connect(m_actions.open, &QAction::triggered, this, [this] {
-        const QString folder = m_document.hasOwnFile() ? QFileInfo(m_document.path()).path() : QString();
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open"), folder, fileFilter());
-        if (!path.isEmpty()) {
-            openFile(path);
-        }
-    });
-    connect(m_actions.save, &QAction::triggered, this, &MainWindow::save);
-    connect(m_actions.saveAs, &QAction::triggered, this, &MainWindow::saveAs);
+    connect(m_actions.newFile, &QAction::triggered, m_tabs, &TextTabs::startNew);
+    connect(m_actions.open, &QAction::triggered, this, &MainWindow::askForFile);
+    connect(m_actions.save, &QAction::triggered, m_tabs, &TextTabs::save);
+    connect(m_actions.saveAs, &QAction::triggered, m_tabs, &TextTabs::saveAs);
+    connect(m_actions.reload, &QAction::triggered, this, [this] { tab().document().checkFile(); });
+    connect(m_actions.exportMesh, &QAction::triggered, this, &MainWindow::exportMesh);
+    const auto sayDone = [this](const QString &words) { m_status->showMessage(words, 5000); };
+    connect(&m_pictureActions, &PictureActions::saved, this,
+            [sayDone](const QString &path) { sayDone(tr("Saved %1").arg(QDir::toNativeSeparators(path))); });
+    connect(&m_pictureActions, &PictureActions::copied, this, [sayDone] { sayDone(tr("The picture is copied")); });
+    connect(&m_pictureActions, &PictureActions::failed, this,
+            [this](const QString &words) { tab().strip().say(words); });
+    connect(m_actions.closeTab, &QAction::triggered, this, [this] { m_tabs->closeTab(m_tabs->currentIndex()); });
+    connect(m_actions.nextTab, &QAction::triggered, this, [this] { m_tabs->goToNext(1); });
+    connect(m_actions.previousTab, &QAction::triggered, this, [this] { m_tabs->goToNext(-1); });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
-    connect(&m_document, &Document::nameChanged, this, &MainWindow::updateTitle);
-    connect(&m_document, &Document::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(m_tabs, &TextTabs::currentTabChanged, this, &MainWindow::takeTab);
+    connect(m_tabs, &TextTabs::currentNamed, this, &MainWindow::showTitle);
+    connect(m_tabs, &TextTabs::saved, this, [this](const QString &path) {
+        m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(path)), 3000);
+    });
 }
 
-void MainWindow::connectEditActions()
+void MainWindow::connectPanels()
 {
-    connect(m_actions.undo, &QAction::triggered, m_editor, &QPlainTextEdit::undo);
-    connect(m_actions.redo, &QAction::triggered, m_editor, &QPlainTextEdit::redo);
-    connect(m_actions.cut, &QAction::triggered, m_editor, &QPlainTextEdit::cut);
-    connect(m_actions.copy, &QAction::triggered, m_editor, &QPlainTextEdit::copy);
-    connect(m_actions.paste, &QAction::triggered, m_editor, &QPlainTextEdit::paste);
-    connect(m_actions.selectAll, &QAction::triggered, m_editor, &QPlainTextEdit::selectAll);
-    connect(m_actions.nextProblem, &QAction::triggered, m_editor, &FdoEditor::goToNextProblem);
-    connect(m_editor, &QPlainTextEdit::undoAvailable, m_actions.undo, &QAction::setEnabled);
-    connect(m_editor, &QPlainTextEdit::redoAvailable, m_actions.redo, &QAction::setEnabled);
-    connect(m_editor, &QPlainTextEdit::copyAvailable, m_actions.cut, &QAction::setEnabled);
-    connect(m_editor, &QPlainTextEdit::copyAvailable, m_actions.copy, &QAction::setEnabled);
-    for (QAction *action : {m_actions.undo, m_actions.redo, m_actions.cut, m_actions.copy}) {
-        action->setEnabled(false);
-    }
-    connect(m_editor, &QPlainTextEdit::cursorPositionChanged, this, &MainWindow::showCursorPlace);
     connect(m_problems, &ProblemsView::chosen, this, &MainWindow::goTo);
     connect(m_problems, &ProblemsView::chosenElsewhere, this, &MainWindow::goToFile);
 
-    connect(m_depthControl, &DepthControl::depthEdited, this, [this](quint64 depth) { m_depth.setValue(depth); });
-    connect(m_depthControl, &DepthControl::dragBegan, this, [this] { m_depth.beginGesture(); });
-    connect(m_depthControl, &DepthControl::dragEnded, this, [this] {
-        m_depth.endGesture();
-        updateDepth();
-    });
-}
+    connect(m_address, &AddressPane::chosen, this, &MainWindow::chooseStep);
+    connect(m_address, &AddressPane::zoomRequested, &m_viewport, &Viewport::zoomToSelection);
+    m_cursorRest.setSingleShot(true);
+    m_cursorRest.setInterval(150);
+    connect(&m_cursorRest, &QTimer::timeout, this, &MainWindow::showMapAtCursor);
 
-void MainWindow::changeAppearance()
-{
-    Appearance appearance = m_viewport.appearance();
-    // In the order of the enumeration.
-    const auto chosen = m_actions.colouring->actions().indexOf(m_actions.colouring->checkedAction());
-    appearance.colours.colouring = static_cast<Colouring>(chosen);
-    appearance.hasWires = m_actions.wireframe->isChecked();
-    appearance.isLit = m_actions.lighting->isChecked();
-    appearance.hasTextures = m_actions.textures->isChecked();
-    appearance.isSmooth = m_actions.smooth->isChecked();
-    m_viewport.setAppearance(appearance);
+    connect(m_depthControl, &DepthControl::depthEdited, this, [this](quint64 depth) { tab().depth().setValue(depth); });
+    connect(m_depthControl, &DepthControl::dragBegan, this, [this] { tab().depth().beginGesture(); });
+    connect(m_depthControl, &DepthControl::dragEnded, this, [this] {
+        tab().depth().endGesture();
+        showDepth();
+    });
 }
 
 void MainWindow::connectViewActions()
 {
-    connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) {
-        m_preview.setEndless(isEndless);
-        build();
-    });
-    connect(&m_viewport, &Viewport::clicked, this, &MainWindow::showAddress);
-    connect(m_actions.trail, &QActionGroup::triggered, this, [this](const QAction *action) {
-        const QVariant levels = action->data();
-        m_viewport.setTrail(levels.isValid() ? std::optional<std::size_t>(levels.toUInt()) : std::nullopt);
-    });
+    connectViewControls(m_actions, m_viewport);
+    connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) { tab().setEndless(isEndless); });
+    connect(m_actions.rebuild, &QAction::triggered, this, [this] { tab().rebuild(); });
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
-    connect(m_actions.fit, &QAction::triggered, &m_viewport, &Viewport::fit);
-    connect(m_actions.resetView, &QAction::triggered, &m_viewport, &Viewport::resetView);
-    using Side = Viewport::Side;
-    connect(m_actions.front, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Front); });
-    connect(m_actions.right, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Right); });
-    connect(m_actions.top, &QAction::triggered, this, [this] { m_viewport.lookFrom(Side::Top); });
-    connect(m_actions.colouring, &QActionGroup::triggered, this, &MainWindow::changeAppearance);
-    for (QAction *action : {m_actions.wireframe, m_actions.lighting, m_actions.textures, m_actions.smooth}) {
-        connect(action, &QAction::toggled, this, &MainWindow::changeAppearance);
-    }
-    connect(m_actions.orthographic, &QAction::toggled, this, [this](bool isOrthographic) {
-        m_viewport.setProjection(isOrthographic ? Projection::Orthographic : Projection::Perspective);
-    });
-    connect(&m_viewport, &Viewport::projectionChanged, this, [this](Projection projection) {
-        m_actions.orthographic->setChecked(projection == Projection::Orthographic);
-    });
-    connect(m_actions.largerText, &QAction::triggered, this, [this] { m_editor->zoomBy(1); });
-    connect(m_actions.smallerText, &QAction::triggered, this, [this] { m_editor->zoomBy(-1); });
-    connect(m_actions.usualText, &QAction::triggered, m_editor, &FdoEditor::resetZoom);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 
-void MainWindow::connectPreview()
+void MainWindow::connectViewport()
 {
-    connect(&m_document, &Document::replaced, this, &MainWindow::startText);
-    connect(&m_document, &Document::textChanged, this, &MainWindow::build);
-    connect(&m_preview, &PreviewController::built, this, &MainWindow::showPreview);
-    connect(&m_preview, &PreviewController::counted, m_status, &StatusLine::setSummary);
+    connect(&m_viewport, &Viewport::clicked, this, &MainWindow::showAddress);
     connect(&m_viewport, &Viewport::pictureAdvanced, m_status, &StatusLine::setDrawn);
     connect(&m_viewport, &Viewport::ready, this, [this](const QString &system) { m_graphicsSystem = system; });
     connect(&m_viewport, &Viewport::pictureFailed, this, [this](const QString &reason) {
@@ -246,12 +209,12 @@ void MainWindow::connectPreview()
             showTrouble();
         }
     });
-    connect(&m_pane->strip(), &MessageStrip::followed, this, [this] { goTo(m_troublePlace, m_troubleText); });
+    connect(&m_pane->strip(), &MessageStrip::followed, this, &MainWindow::followTrouble);
 }
 
 void MainWindow::restoreLayout()
 {
-    const QSettings state(stateFile(), QSettings::IniFormat);
+    const WindowState state;
     if (!restoreGeometry(state.value("geometry").toByteArray())) {
         resize(1280, 800);
     }
@@ -265,7 +228,7 @@ void MainWindow::restoreLayout()
 
 void MainWindow::saveLayout() const
 {
-    QSettings state(stateFile(), QSettings::IniFormat);
+    WindowState state;
     state.setValue("geometry", saveGeometry());
     state.setValue("docks", saveState());
     state.setValue("splitter", m_splitter->saveState());
@@ -275,108 +238,89 @@ void MainWindow::saveLayout() const
 
 bool MainWindow::openFile(const QString &path)
 {
-    return mayDropText() && openPath(path);
+    return m_tabs->openFile(path);
 }
 
 void MainWindow::openExample()
 {
-    openPath(examplesFolder + QStringLiteral("/romanesco.fdo"));
+    m_tabs->openFile(TextTabs::examplesFolder + QStringLiteral("/romanesco.fdo"));
 }
 
-bool MainWindow::openPath(const QString &path)
+bool MainWindow::openSession()
 {
-    const bool isOurs = path.startsWith(examplesFolder);
-    const QString whole = isOurs ? path : QFileInfo(path).absoluteFilePath();
-    if (const auto opened = m_document.open(whole); !opened) {
-        m_message->say(tr("Cannot open “%1”: %2.").arg(QDir::toNativeSeparators(path), opened.error()));
-        return false;
-    }
-    if (m_editor->isReadOnly()) {
-        m_message->say(tr("“%1” holds characters that would be lost by saving, so it can only be read here. "
-                          "Save As makes a copy that can be edited.")
-                           .arg(m_document.name()));
-    } else if (!isOurs) {
-        m_message->fallSilent();
-    }
-    return true;
+    return m_tabs->restore();
 }
 
-bool MainWindow::save()
+void MainWindow::offerLostTexts()
 {
-    return m_document.hasOwnFile() ? saveFile(m_document.path()) : saveAs();
+    m_lostTexts.start([files = &m_files] { return std::make_shared<Recovery>(Recovery::search(*files)); },
+                      [this](const std::shared_ptr<Recovery> &found) {
+                          if (!found->texts().empty()) {
+                              showLostTexts(std::move(*found));
+                          }
+                      });
 }
 
-bool MainWindow::saveAs()
+void MainWindow::showLostTexts(Recovery recovery)
 {
-    QString proposal = m_document.name();
-    if (!m_document.path().isEmpty() && !m_document.isExample()) {
-        proposal = m_document.path();
+    auto *dialog = new RecoveryDialog(std::move(recovery), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &RecoveryDialog::restoreRequested, this,
+            [this](const LostText &text, bool *isRestored) { *isRestored = m_tabs->restoreLost(text); });
+    dialog->open();
+}
+
+/// Of the text as it is written, however deep the picture goes.
+void MainWindow::exportMesh()
+{
+    const Preview &preview = tab().preview();
+    if (!preview.scene) {
+        tab().strip().say(tr("What has errors cannot be exported."));
+        return;
     }
-    QFileDialog dialog(this, tr("Save As"), QString(), fileFilter());
-    dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(QFileInfo(proposal).suffix());
-    dialog.selectFile(proposal);
-    return dialog.exec() == QDialog::Accepted && saveFile(dialog.selectedFiles().constFirst());
+    const Document &document = tab().document();
+    const bool hasPlace = !document.path().isEmpty() && !document.isExample();
+    const QFileInfo text(hasPlace ? document.path() : QDir::home().filePath(document.name()));
+    QStringList files = preview.files;
+    if (hasPlace) {
+        files << document.path();
+    }
+    auto *dialog = new ExportDialog({preview.scene, document.name(), files},
+                                    text.dir().filePath(text.completeBaseName() + QStringLiteral(".obj")), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::exported, this, [this](const QString &path, quint64 bytes, const QString &remarks) {
+        m_status->showMessage(
+            tr("Exported %1 (%2)")
+                .arg(QDir::toNativeSeparators(path), locale().formattedDataSize(static_cast<qint64>(bytes))),
+            10'000);
+        if (!remarks.isEmpty()) {
+            tab().strip().say(remarks);
+        }
+    });
+    dialog->open();
 }
 
 bool MainWindow::saveFile(const QString &path)
 {
-    const bool wasExample = m_document.isExample();
-    const QString whole = QFileInfo(path).absoluteFilePath();
-    if (wasExample) {
-        takeFilesAlong(whole);
-    }
-    if (const auto saved = m_document.saveAs(whole); !saved) {
-        m_message->say(tr("Cannot save “%1”: %2. The text is still here, unsaved.").arg(path, saved.error()));
-        return false;
-    }
-    m_message->fallSilent();
-    m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(path)), 3000);
-    return true;
+    return m_tabs->saveFile(path);
 }
 
-/// An example names files beside it. A copy of the example would not find them, so they are copied too, unless a file of
-/// that name is there.
-void MainWindow::takeFilesAlong(const QString &textPath)
+void MainWindow::askForFile()
 {
-    QSet<QString> names;
-    if (const std::shared_ptr<const Scene> &scene = m_preview.lastGoodScene()) {
-        for (const SceneItem &item : scene->items) {
-            names << QString::fromStdString(item.path) << QString::fromStdString(item.model->meshPath);
-        }
+    const Document &document = tab().document();
+    const QString folder = document.hasOwnFile() ? QFileInfo(document.path()).path() : QString();
+    for (const QString &path : QFileDialog::getOpenFileNames(this, tr("Open"), folder, fileFilter())) {
+        openFile(path);
     }
-    for (const QString &name : names) {
-        const QString target = QFileInfo(textPath).dir().filePath(name);
-        QFile source(examplesFolder + u'/' + name);
-        if (name.isEmpty() || name.contains(u'/') || QFileInfo::exists(target) || !source.open(QIODevice::ReadOnly)) {
-            continue;
-        }
-        // Should this fail, the text says that a file is missing.
-        QSaveFile copy(target);
-        if (copy.open(QIODevice::WriteOnly)) {
-            copy.write(source.readAll());
-            copy.commit();
-        }
-    }
-}
-
-bool MainWindow::mayDropText()
-{
-    if (!m_document.isModified()) {
-        return true;
-    }
-    const auto answer = QMessageBox::warning(
-        this, tr("Unsaved changes"), tr("“%1” has changes that are not saved.").arg(m_document.name()),
-        QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-    return answer == QMessageBox::Discard || (answer == QMessageBox::Save && save());
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!mayDropText()) {
+    if (!m_tabs->mayCloseAll()) {
         event->ignore();
         return;
     }
+    m_tabs->remember();
     saveLayout();
     event->accept();
 }
@@ -392,39 +336,84 @@ void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
-    openFile(event->mimeData()->urls().first().toLocalFile());
+    for (const QUrl &url : event->mimeData()->urls()) {
+        openFile(url.toLocalFile());
+    }
 }
 
-// ---- Text and picture
+// ---- The text that is looked at
 
-void MainWindow::startText()
+void MainWindow::takeTab()
 {
-    // Nothing of the old text stays: its places mean nothing in this one.
-    m_preview.forget();
-    showDiagnostics({}, m_document.text());
-    m_textTrouble.clear();
-    m_pictureRemark.clear();
-    showTrouble();
-    m_depth.clear();
-    m_isFirstScene = true;
-    const QSignalBlocker blocker(m_actions.endless); // what is asked for is asked of one file
-    m_actions.endless->setChecked(false);
-    m_preview.setEndless(false);
-    m_viewport.setScene(nullptr);
-    m_status->setSummary(std::nullopt);
+    if (m_tab && m_viewport.isViewStarted()) {
+        m_tab->view = m_viewport.view();
+    }
+    m_tab = &m_tabs->current();
+    m_whileLooked = std::make_unique<QObject>();
+    connectTab(*m_tab);
+    showText();
+}
+
+void MainWindow::connectTab(TextTab &tab)
+{
+    QObject *looked = m_whileLooked.get();
+    connect(&tab, &TextTab::restarted, looked, [this] { showText(); });
+    connect(&tab, &TextTab::previewed, looked, [this] { showPreview(); });
+    connect(&tab, &TextTab::counted, looked, [this] { m_status->setSummary(m_tab->summary()); });
+    const FdoEditor &editor = tab.editor();
+    connect(&editor, &QPlainTextEdit::cursorPositionChanged, looked, [this] {
+        showCursorPlace();
+        m_cursorRest.start();
+    });
+    connect(&editor, &FdoEditor::openFileRequested, looked, [this](const QString &path) { openBeside(path); });
+    m_textActions.follow(tab.editor(), tab.findBar());
+    m_parameters->follow(tab.editor());
+    connect(&tab.document(), &Document::fileStateChanged, looked, [this] {
+        m_textActions.update();
+        showDepth();
+    });
+}
+
+/// All of it.
+void MainWindow::showText()
+{
+    m_viewport.startScene(tab().shown(), tab().view);
+    m_status->setSummary(tab().summary());
     m_status->clearDrawn();
-    updateDepth();
+    m_status->clearMessage();
+    m_steps.clear();
+    m_address->setSteps({});
+    m_cursorRest.start();
+    {
+        const QSignalBlocker blocker(m_actions.endless);
+        m_actions.endless->setChecked(tab().isEndless());
+    }
+    showProblems();
+    showDepth();
+    showTrouble();
+    showCursorPlace();
+    showTitle();
 }
 
-void MainWindow::build()
+void MainWindow::showPreview()
 {
-    m_preview.build(m_document.scenePath(), m_document.text());
+    showProblems();
+    const QSignalBlocker blocker(m_actions.endless);
+    m_actions.endless->setChecked(tab().isEndless());
+    m_viewport.setScene(tab().shown());
+    if (!m_viewport.appearance().colours.selection) {
+        m_steps.clear();
+        m_address->setSteps({});
+    }
+    m_cursorRest.start();
+    showDepth();
+    showTrouble();
 }
 
-void MainWindow::showDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text)
+void MainWindow::showProblems()
 {
-    m_editor->setDiagnostics(diagnostics, text);
-    m_problems->setDiagnostics(m_document.name(), diagnostics, text);
+    const Preview &preview = tab().preview();
+    m_problems->setDiagnostics(tab().document().name(), preview.diagnostics, preview.text);
     const QString counts = m_problems->counts();
     m_problemsDock->setWindowTitle(counts.isEmpty() ? tr("Problems") : tr("Problems — %1").arg(counts));
     m_problemsDock->toggleViewAction()->setText(tr("Problems"));
@@ -435,111 +424,135 @@ void MainWindow::showAddress()
 {
     const std::optional<Selection> &selection = m_viewport.appearance().colours.selection;
     const auto &surroundings = m_viewport.view().surroundings();
-    if (!selection || !surroundings) {
-        m_status->clearMessage();
+    m_steps.clear();
+    m_selectedSteps.clear();
+    if (selection && surroundings) {
+        m_steps = addressSteps(*surroundings->scene, *selection, tab().preview().reading.get(),
+                               tab().document().text().bytes());
+        m_selectedSteps = selection->steps;
+    }
+    m_address->setSteps(m_steps);
+    m_status->showMessage(addressWords(m_steps));
+}
+
+/// So many of the steps of the address: their words in the text, and what they lead to in the picture.
+void MainWindow::chooseStep(std::size_t count)
+{
+    std::optional<Selection> selection = m_viewport.appearance().colours.selection;
+    if (!selection || count > m_steps.size() || count > m_selectedSteps.size()) {
         return;
     }
-    const DepthChange depth(m_files, m_isShownEndless ? DepthChange::endless : "");
-    m_status->showMessage(addressWords(*surroundings->scene, *selection, depth.changed(m_document.text().bytes())));
+    selection->steps.assign(m_selectedSteps.begin(), m_selectedSteps.begin() + static_cast<std::ptrdiff_t>(count));
+    m_viewport.select(selection);
+    if (const std::optional<SourceRange> use = m_steps[count - 1].use) {
+        tab().editor().select(*use, tab().document().text());
+        // Here one way is looked at, not all that the words have made.
+        m_cursorRest.stop();
+        m_viewport.selectMap(std::nullopt);
+    }
+}
+
+/// What a use in the text has made stands out while the cursor is there.
+void MainWindow::showMapAtCursor()
+{
+    const Preview &preview = tab().preview();
+    const TextSnapshot &text = tab().document().text();
+    std::optional<Step> map;
+    // Of a text that is not built yet, places mean nothing.
+    if (preview.reading && preview.text.bytes() == text.bytes()) {
+        map = mapAt(*preview.reading, text.bytes(), text.offset(tab().editor().textCursor().position()));
+    }
+    m_viewport.selectMap(map);
 }
 
 /// As a line of the text.
 void MainWindow::saveView()
 {
     const SceneView &seen = m_viewport.view();
-    if (m_editor->isReadOnly() || !seen.surroundings()) {
+    FdoEditor &editor = tab().editor();
+    if (editor.isReadOnly() || !seen.surroundings()) {
         return;
     }
     SavedView view = seen.saved();
-    view.isEndless = m_isShownEndless;
-    const TextSnapshot text = m_editor->snapshot();
-    const bool isSdo = fileKind(m_document.scenePath()) == FileKind::Sdo;
-    m_editor->apply(editsToSave(view, writtenOf(seen.cameraInWorld()), text.bytes(), isSdo), text);
-}
-
-void MainWindow::showPreview(const Preview &preview)
-{
-    showDiagnostics(preview.diagnostics, preview.text);
-    const bool wantsEndless = m_isFirstScene && preview.scene && preview.scene->view && preview.scene->view->isEndless;
-    if (wantsEndless && !m_preview.isEndless()) {
-        m_actions.endless->setChecked(true);
-        return; // the preview that follows
-    }
-    if (preview.scene) {
-        if (preview.scene->depth) {
-            const SourceRange place = preview.scene->depth->range;
-            m_depth.track(preview.text.position(place.begin), preview.text.position(place.end));
-        } else {
-            m_depth.clear();
-        }
-        m_viewport.setScene(preview.shown);
-        m_isShownEndless = preview.shown != preview.scene;
-        if (std::exchange(m_isFirstScene, false)) {
-            m_viewport.resetView();
-        }
-    }
-    updateDepth();
-
-    m_pictureRemark = preview.remark;
-    m_textTrouble = preview.failure;
-    const auto error = std::ranges::find_if(preview.diagnostics, &Diagnostic::isError);
-    if (error != preview.diagnostics.end()) {
-        m_troublePlace = error->range;
-        m_troubleText = preview.text;
-        const std::size_t line = LineMap(preview.text.bytes()).position(error->range.begin).line;
-        m_textTrouble = tr("line %1: %2").arg(line).arg(QString::fromStdString(error->message()));
-    }
-    showTrouble();
+    view.isEndless = tab().isShownEndless();
+    const TextSnapshot text = editor.snapshot();
+    const bool isSdo = fileKind(tab().document().scenePath()) == FileKind::Sdo;
+    editor.apply(editsToSave(view, writtenOf(seen.cameraInWorld()), text.bytes(), isSdo), text);
 }
 
 void MainWindow::showTrouble()
 {
     MessageStrip &strip = m_pane->strip();
-    if (!m_textTrouble.isEmpty()) {
-        const bool showsLast = m_preview.lastGoodScene() != nullptr;
-        strip.say((showsLast ? tr("Showing the last good version — %1") : tr("No picture yet — %1")).arg(m_textTrouble),
-                  true);
+    const TextTab::Trouble &trouble = tab().trouble();
+    if (trouble.isOfText) {
+        strip.say(
+            (tab().shown() ? tr("Showing the last good version — %1") : tr("No picture yet — %1")).arg(trouble.words),
+            true);
     } else if (!m_pictureTrouble.isEmpty()) {
         strip.say(m_pictureTrouble);
-    } else if (!m_pictureRemark.isEmpty()) {
-        strip.say(m_pictureRemark);
+    } else if (!trouble.words.isEmpty()) {
+        strip.say(trouble.words);
     } else {
         strip.fallSilent();
     }
 }
 
-void MainWindow::updateDepth()
+void MainWindow::followTrouble()
 {
-    const std::optional<quint64> depth = m_depth.value();
-    m_depthControl->setDepth(m_editor->isReadOnly() ? std::nullopt : depth);
+    const TextTab::Trouble &trouble = tab().trouble();
+    if (trouble.isOfText) {
+        goTo(trouble.place, trouble.text);
+    }
+}
+
+void MainWindow::showDepth()
+{
+    const std::optional<quint64> depth = tab().depth().value();
+    m_depthControl->setDepth(tab().editor().isReadOnly() ? std::nullopt : depth);
+    m_parameters->update();
     m_status->setDepth(depth);
 }
 
 void MainWindow::showCursorPlace()
 {
     // Columns count characters, as in messages.
-    const QTextCursor cursor = m_editor->textCursor();
+    const QTextCursor cursor = tab().editor().textCursor();
     const QString before = cursor.block().text().first(cursor.positionInBlock());
     m_status->setCursorPlace(cursor.blockNumber() + 1, static_cast<int>(before.toUcs4().size()) + 1);
 }
 
-void MainWindow::updateTitle()
+void MainWindow::showTitle()
 {
-    setWindowTitle(tr("%1[*] — Romanesco").arg(m_document.name()));
-    setWindowModified(m_document.isModified());
+    const Document &document = m_tabs->current().document();
+    setWindowTitle(tr("%1[*] — Romanesco").arg(document.name()));
+    setWindowModified(document.isModified());
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::ActivationChange && isActiveWindow()) {
+        m_tabs->lookForChanges();
+    }
 }
 
 void MainWindow::goTo(SourceRange range, const TextSnapshot &text)
 {
-    m_editor->goTo(range, text);
+    tab().editor().goTo(range, text);
 }
 
-/// file is named as in the text.
+/// A file that is named as in the text.
+bool MainWindow::openBeside(const QString &file)
+{
+    return openFile(QFileInfo(tab().document().path()).dir().filePath(file));
+}
+
 void MainWindow::goToFile(const QString &file, TextPosition position)
 {
-    if (openFile(QFileInfo(m_document.path()).dir().filePath(file))) {
-        const std::size_t offset = LineMap(m_document.text().bytes()).offset(position);
-        goTo({offset, offset}, m_document.text());
+    if (openBeside(file)) {
+        const TextSnapshot text = tab().document().text();
+        const std::size_t offset = LineMap(text.bytes()).offset(position);
+        goTo({offset, offset}, text);
     }
 }
 

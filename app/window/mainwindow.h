@@ -5,12 +5,17 @@
 #include <memory>
 
 #include <QMainWindow>
+#include <QTimer>
 
+#include "backgroundtask.h"
+#include "core/text/linemap.h"
 #include "core/text/sourcerange.h"
-#include "document.h"
-#include "editor/textnumber.h"
-#include "previewcontroller.h"
+#include "editor/textsnapshot.h"
+#include "fdoreading.h"
+#include "picture.h"
+#include "recovery.h"
 #include "resourcefiles.h"
+#include "textactions.h"
 #include "windowactions.h"
 
 class QDockWidget;
@@ -18,16 +23,18 @@ class QSplitter;
 
 namespace romanesco {
 
+class AddressPane;
 class DepthControl;
-class FdoEditor;
-class MessageStrip;
+class ParametersPane;
 class ProblemsView;
 class StatusLine;
+class TextTab;
+class TextTabs;
 class Viewport;
 class ViewportPane;
 
-/// The editor: the text on the left, its picture on the right, what is wrong with it below. The text is the source of
-/// all that is shown; controls edit the text.
+/// The editor: texts on the left, the picture of the one that is looked at on the right, what is wrong with it below. The
+/// text is the source of all that is shown; controls edit the text.
 class MainWindow : public QMainWindow
 {
     Q_OBJECT
@@ -35,15 +42,19 @@ public:
     explicit MainWindow(QWidget *parent = nullptr);
     ~MainWindow() override;
 
-    /// Asks first where changes would be lost. Where the file cannot be opened, the window says so, keeps the text it
-    /// has, and the result is false.
+    /// Where the file cannot be opened, the window says so, and the result is false.
     bool openFile(const QString &path);
     /// The fractal that the program starts with.
     void openExample();
+    /// What was open when the program ended last; false where that was nothing.
+    bool openSession();
+    /// Looks in the background for texts that were not saved when the program ended last, and offers them.
+    void offerLostTexts();
     /// Writes the text to a file and goes on with that. Where this fails, the window says so.
     bool saveFile(const QString &path);
 
 protected:
+    void changeEvent(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
@@ -53,60 +64,68 @@ private:
     void createToolBar();
     void createMenus();
     void connectFileActions();
-    void connectEditActions();
+    void connectPanels();
     void connectViewActions();
-    void connectPreview();
+    void connectViewport();
     void restoreLayout();
     void saveLayout() const;
+    void askForFile();
+    void fillRecent(QMenu &menu);
+    void showLostTexts(Recovery recovery);
+    void exportMesh();
 
-    bool openPath(const QString &path);
-    bool save();
-    bool saveAs();
-    /// Whether the text may go: it is saved, or need not be.
-    [[nodiscard]] bool mayDropText();
-    void takeFilesAlong(const QString &textPath);
-
-    void startText();
-    void build();
-    void showDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text);
-    void showPreview(const Preview &preview);
+    void takeTab();
+    void connectTab(TextTab &tab);
+    void showText();
+    void showPreview();
+    void showProblems();
     void showTrouble();
+    void followTrouble();
     void showCursorPlace();
-    void updateTitle();
-    void updateDepth();
-    void changeAppearance();
-    void saveView();
+    void showDepth();
+    void showTitle();
     void showAddress();
+    void chooseStep(std::size_t count);
+    void showMapAtCursor();
+    void saveView();
     void goTo(SourceRange range, const TextSnapshot &text);
+    bool openBeside(const QString &file);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
     void showAbout();
+    [[nodiscard]] TextTab &tab() const { return *m_tab; }
 
-    ResourceFiles m_files;
-    FdoEditor *m_editor;
-    MessageStrip *m_message;
+    TextTabs *m_tabs;
     ViewportPane *m_pane;
     Viewport &m_viewport;
     ProblemsView *m_problems;
     QDockWidget *m_problemsDock;
+    AddressPane *m_address;
+    QDockWidget *m_addressDock;
+    ParametersPane *m_parameters;
+    QDockWidget *m_parametersDock;
     QSplitter *m_splitter;
     DepthControl *m_depthControl;
     StatusLine *m_status;
     WindowActions m_actions;
+    TextActions m_textActions;
+    PictureActions m_pictureActions;
+    ResourceFiles m_files;
 
-    Document m_document;
-    TextNumber m_depth;
-    PreviewController m_preview;
-    /// Of the newest text, for the strip: what is wrong and where; what is wrong with its picture.
-    QString m_textTrouble;
-    SourceRange m_troublePlace;
-    TextSnapshot m_troubleText;
+    /// The one that is looked at.
+    TextTab *m_tab = nullptr;
+    /// Lives as long as the tab is looked at, for what is connected to it.
+    std::unique_ptr<QObject> m_whileLooked;
+    /// Of the copy that stands out.
+    std::vector<AddressStep> m_steps;
+    std::vector<Step> m_selectedSteps;
+    /// The cursor rests.
+    QTimer m_cursorRest;
     QString m_pictureTrouble;
-    QString m_pictureRemark;
-    bool m_isShownEndless = false;
-    /// The next scene is the first of its file.
-    bool m_isFirstScene = true;
     QString m_graphicsSystem;
+
+    /// Last: it uses the rest.
+    BackgroundTask<std::shared_ptr<Recovery>> m_lostTexts;
 };
 
 }

@@ -16,8 +16,9 @@ namespace romanesco {
 PreviewController::PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent)
     : QObject(parent)
     , m_files(std::move(files))
-    , m_loader(*m_files, decodeImage)
-    , m_endlessFiles(*m_files, DepthChange::endless)
+    , m_named(*m_files)
+    , m_loader(m_named, decodeImage)
+    , m_endlessFiles(m_named, DepthChange::endless)
     , m_endlessLoader(m_endlessFiles, decodeImage)
     , m_counting([this](const CountJob &scene, const std::stop_token &stop) { runCount(scene, stop); })
     , m_building([this](const BuildJob &job, const std::stop_token &stop) { runBuild(job, stop); })
@@ -52,8 +53,12 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
         preview.scene = std::move(result.scene);
         preview.shown = preview.scene;
         if (preview.scene && fileKind(job.path) == FileKind::Fdo && !stop.stop_requested()) {
-            std::ranges::move(stabilityHints(job.text.bytes()), std::back_inserter(preview.diagnostics));
-            sortByPlace(preview.diagnostics);
+            preview.reading = FdoReading::of(job.text.bytes());
+            if (preview.reading) {
+                std::ranges::move(stabilityHints(preview.reading->document, preview.reading->description),
+                                  std::back_inserter(preview.diagnostics));
+                sortByPlace(preview.diagnostics);
+            }
         }
         if (preview.scene && job.isEndless && !stop.stop_requested()) {
             deepen(job, preview, stop);
@@ -62,6 +67,7 @@ void PreviewController::runBuild(const BuildJob &job, const std::stop_token &sto
         // The text is worth more than its picture.
         preview.failure = tr("There is not enough memory for this fractal.");
     }
+    preview.files = m_named.take();
     if (!stop.stop_requested()) {
         QMetaObject::invokeMethod(this, [this, preview] { deliver(preview); }, Qt::QueuedConnection);
     }
@@ -79,6 +85,7 @@ void PreviewController::deepen(const BuildJob &job, Preview &preview, const std:
     const SceneResult deep = m_endlessLoader.load(job.path, deeper, stop);
     if (deep.scene && isConvergent(*deep.scene)) {
         preview.shown = deep.scene;
+        preview.reading = isFractal ? FdoReading::of(deeper) : nullptr;
     } else {
         preview.remark = tr("Shown at its own depth: without end there is a picture only where transformations shrink "
                             "what they repeat.");

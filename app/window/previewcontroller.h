@@ -12,6 +12,8 @@
 #include "core/scene/sceneloader.h"
 #include "core/scene/summary.h"
 #include "editor/textsnapshot.h"
+#include "fdoreading.h"
+#include "namedfiles.h"
 
 namespace romanesco {
 
@@ -25,6 +27,10 @@ struct Preview {
     std::shared_ptr<const Scene> scene;
     /// What is to be seen: the same, or as deep as views go.
     std::shared_ptr<const Scene> shown;
+    /// Of the .fdo text of what is to be seen; else null.
+    std::shared_ptr<const FdoReading> reading;
+    /// What it is made of, whether that is there or not; absolute paths. Without those the program brings along.
+    QStringList files;
     /// Why that is not as deep as was asked for, as a sentence; else empty.
     QString remark;
     /// Why there is no scene where the text is not to blame, as a sentence; else empty.
@@ -75,6 +81,7 @@ private:
     void deliver(const Preview &preview);
 
     std::unique_ptr<const FileAccess> m_files;
+    NamedFiles m_named;
     SceneLoader m_loader;
     DepthChange m_endlessFiles;
     SceneLoader m_endlessLoader;

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <new>
 #include <utility>
 
 #include <QEnterEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QWheelEvent>
-
-#include "core/scene/dynamicfractal.h"
 
 namespace romanesco {
 
@@ -32,11 +29,6 @@ constexpr int fineSamplesOnDenseScreens = 4;
 constexpr double slowMilliseconds = 100.0;
 
 constexpr double clickDistance = 4.0;
-constexpr auto flightStep = 16ms;
-/// In distances of the surface ahead, for each second.
-constexpr double flightSpeed = 1.0;
-/// Of a step, however long a picture took.
-constexpr double longestFlight = 0.1;
 constexpr double zoomOfNotch = 0.85;
 /// Of an arrow key, in heights of the view.
 constexpr double keyMovement = 1.0 / 24.0;
@@ -50,8 +42,6 @@ std::string lineOf(const std::optional<SavedView> &view)
 
 Viewport::Viewport(QWidget *parent)
     : QOpenGLWidget(parent)
-    , m_finding(
-          [this](const std::shared_ptr<const Scene> &scene, const std::stop_token &stop) { runFinding(scene, stop); })
 {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
@@ -60,8 +50,13 @@ Viewport::Viewport(QWidget *parent)
     m_rest.setInterval(restAfter);
     connect(&m_rest, &QTimer::timeout, &m_drawing, qOverload<>(&QTimer::start));
     connect(&m_drawing, &QTimer::timeout, this, &Viewport::drawOn);
-    m_flying.setInterval(flightStep);
-    connect(&m_flying, &QTimer::timeout, this, &Viewport::flyOn);
+    connect(&m_flight, &Flight::begun, this, &Viewport::findSurfaces);
+    connect(&m_flight, &Flight::flown, this, &Viewport::fly);
+    connect(&m_surfaceFinder, &SurfaceFinder::found, this, [this](const std::shared_ptr<SceneRayWalk> &walk) {
+        if (walk->scene() == m_scene) {
+            m_view.setRayWalk(walk);
+        }
+    });
 }
 
 Viewport::~Viewport()
@@ -83,6 +78,7 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     m_scene = std::move(scene);
     m_view.setScene(m_scene);
     m_appearance.colours.selection.reset();
+    m_appearance.colours.map.reset();
     m_isSceneNew = true;
     if (underMouse()) {
         findSurfaces();
@@ -92,6 +88,28 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
         m_rest.start();
     }
     m_drawing.start();
+}
+
+void Viewport::startScene(std::shared_ptr<const Scene> scene, const std::optional<SceneView> &view)
+{
+    const Projection before = camera().projection;
+    const auto trail = m_view.trail();
+    m_scene = std::move(scene);
+    m_view = view.value_or(SceneView());
+    m_view.setScene(m_scene);
+    m_view.setTrail(trail);
+    m_resetsView = !view;
+    m_followsCamera = false;
+    m_appearance.colours.selection.reset();
+    m_appearance.colours.map.reset();
+    m_isSceneNew = true;
+    if (underMouse()) {
+        findSurfaces();
+    }
+    cameraChanged();
+    if (camera().projection != before) {
+        Q_EMIT projectionChanged(camera().projection);
+    }
 }
 
 void Viewport::resetView()
@@ -150,15 +168,23 @@ bool Viewport::hasNothingToDraw() const
 void Viewport::initializeGL()
 {
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::release, Qt::UniqueConnection);
+    if (!makeRenderer()) {
+        reportWhetherAvailable();
+    }
+}
+
+/// Else m_lack says why there is none.
+bool Viewport::makeRenderer()
+{
     if (context()->isOpenGLES()) {
         // which libepoxy would look for libraries for that need not be there
-        fail(tr("Drawing needs OpenGL 4.5; this system offers OpenGL ES."));
-        return;
+        m_lack = tr("Drawing needs OpenGL 4.5; this system offers OpenGL ES.");
+        return false;
     }
     auto made = Renderer::create();
     if (!made) {
-        fail(QString::fromStdString(made.error()));
-        return;
+        m_lack = QString::fromStdString(made.error());
+        return false;
     }
     m_lack.clear();
     m_renderer = std::move(*made);
@@ -166,21 +192,16 @@ void Viewport::initializeGL()
     m_begun.reset();
     m_drawing.start();
     Q_EMIT ready(QString::fromStdString(m_renderer->description()));
-}
-
-void Viewport::fail(const QString &lack)
-{
-    m_lack = lack;
-    reportWhetherAvailable();
+    return true;
 }
 
 /// What was on the card went with a reset of the driver, and the context too, unless the driver could spare it.
 void Viewport::recover()
 {
     m_renderer.reset();
-    initializeGL();
-    if (!m_renderer) {
-        fail(tr("The graphics driver was reset. Pictures come back when the program is started anew."));
+    if (!makeRenderer()) {
+        m_lack = tr("The graphics driver was reset. Pictures come back when the program is started anew.");
+        reportWhetherAvailable();
     }
 }
 
@@ -279,10 +300,6 @@ void Viewport::begin(const Request &wanted)
     View view;
     view.camera = camera();
     view.surroundings = m_view.surroundings();
-    if (m_trail && m_scene) {
-        view.camera = m_view.cameraInWorld();
-        view.surroundings = dynamicSurroundings(m_scene, view.camera.position, *m_trail);
-    }
     view.appearance = m_appearance;
     view.width = wanted.width;
     view.height = wanted.height;
@@ -368,33 +385,38 @@ double Viewport::aspect() const
 /// The first time that it may be asked for.
 void Viewport::findSurfaces()
 {
-    if (m_scene && m_sought.lock() != m_scene) {
-        m_sought = m_scene;
-        m_finding.post(m_scene);
+    if (!m_view.hasRayWalk()) {
+        m_surfaceFinder.find(m_scene);
     }
 }
 
-/// On the thread that makes it.
-void Viewport::runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop)
-{
-    try {
-        auto made = SceneRayWalk::create(scene, stop);
-        if (made && !stop.stop_requested()) {
-            auto walk = std::make_shared<SceneRayWalk>(std::move(*made));
-            QMetaObject::invokeMethod(this, [this, walk] { m_view.setRayWalk(walk); }, Qt::QueuedConnection);
-        }
-    } catch (const std::bad_alloc &) {
-        // Then nothing is found under the pointer.
-    }
-}
-
-void Viewport::select(const QPointF &place)
+void Viewport::selectAt(const QPointF &place)
 {
     findSurfaces();
     const auto picked = m_view.pick(fromMiddle(place), 1.0 / std::max(1, height()));
+    select(picked ? std::optional(Selection{picked->item, picked->steps}) : std::nullopt);
+}
+
+void Viewport::select(const std::optional<Selection> &selection)
+{
     Appearance appearance = m_appearance;
-    appearance.colours.selection = picked ? std::optional(Selection{picked->item, picked->steps}) : std::nullopt;
+    appearance.colours.selection = selection;
     setAppearance(appearance);
+}
+
+void Viewport::selectMap(const std::optional<Step> &map)
+{
+    Appearance appearance = m_appearance;
+    appearance.colours.map = map ? std::optional(MapSelection{0, *map}) : std::nullopt;
+    setAppearance(appearance);
+}
+
+void Viewport::zoomToSelection()
+{
+    const std::optional<Selection> &selection = m_appearance.colours.selection;
+    if (selection && m_scene && m_view.goTo(selection->item, selection->steps, aspect())) {
+        cameraChanged();
+    }
 }
 
 void Viewport::setAppearance(const Appearance &appearance)
@@ -407,15 +429,14 @@ void Viewport::setAppearance(const Appearance &appearance)
 
 void Viewport::setTrail(std::optional<std::size_t> trail)
 {
-    if (trail != m_trail) {
-        m_trail = trail;
-        cameraChanged();
-    }
+    m_view.setTrail(trail);
+    cameraChanged();
 }
 
 glm::dvec2 Viewport::fromMiddle(const QPointF &place) const
 {
-    return inHeights(place - QPointF(width() / 2.0, height() / 2.0));
+    // The pointer's place is the corner of its pixel.
+    return inHeights(place + QPointF(0.5, 0.5) - QPointF(width() / 2.0, height() / 2.0));
 }
 
 void Viewport::enterEvent(QEnterEvent *event)
@@ -436,7 +457,7 @@ void Viewport::mousePressEvent(QMouseEvent *event)
 {
     const bool isLeft = event->button() == Qt::LeftButton;
     const bool pans = event->button() == Qt::RightButton || (isLeft && event->modifiers() & Qt::ShiftModifier);
-    const bool isFlying = m_flying.isActive() && event->button() == Qt::RightButton;
+    const bool isFlying = m_flight.isActive() && event->button() == Qt::RightButton;
     m_drag = isFlying ? Drag::Turn : pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
     m_isClick = true;
     m_pressedAt = m_lastAt = event->position();
@@ -467,7 +488,7 @@ void Viewport::mouseMoveEvent(QMouseEvent *event)
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
     if (m_drag == Drag::Orbit && m_isClick) {
-        select(event->position());
+        selectAt(event->position());
         Q_EMIT clicked(event->position().toPoint());
     }
     m_drag = Drag::None;
@@ -481,62 +502,29 @@ void Viewport::wheelEvent(QWheelEvent *event)
     event->accept();
 }
 
-/// Whether the key is one of those.
-bool Viewport::setFlying(int key, bool isHeld)
+void Viewport::fly(const glm::dvec3 &way)
 {
-    const double held = isHeld ? 1.0 : 0.0;
-    switch (key) {
-    case Qt::Key_W:
-        m_flight.z = held;
-        break;
-    case Qt::Key_S:
-        m_flight.z = -held;
-        break;
-    case Qt::Key_D:
-        m_flight.x = held;
-        break;
-    case Qt::Key_A:
-        m_flight.x = -held;
-        break;
-    default:
-        return false;
-    }
-    if (m_flight == glm::dvec3(0.0)) {
-        m_flying.stop();
-    } else if (!m_flying.isActive()) {
-        findSurfaces();
-        m_sinceFlown.start();
-        m_flying.start();
-    }
-    return true;
-}
-
-void Viewport::flyOn()
-{
-    const double seconds = std::min(1e-9 * double(m_sinceFlown.nsecsElapsed()), longestFlight);
-    m_sinceFlown.start();
-    m_view.fly(flightSpeed * seconds * m_flight);
+    m_view.fly(way);
     cameraChanged();
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)
 {
     // A key that is held is released again and again.
-    if (event->isAutoRepeat() || !setFlying(event->key(), false)) {
+    if (event->isAutoRepeat() || !m_flight.setHeld(event->key(), false)) {
         QOpenGLWidget::keyReleaseEvent(event);
     }
 }
 
 void Viewport::focusOutEvent(QFocusEvent *event)
 {
-    m_flight = glm::dvec3(0.0);
-    m_flying.stop();
+    m_flight.stop();
     QOpenGLWidget::focusOutEvent(event);
 }
 
 void Viewport::keyPressEvent(QKeyEvent *event)
 {
-    if (event->modifiers() == Qt::NoModifier && setFlying(event->key(), true)) {
+    if (event->modifiers() == Qt::NoModifier && m_flight.setHeld(event->key(), true)) {
         return;
     }
     glm::dvec2 way(0.0);

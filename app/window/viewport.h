@@ -9,16 +9,17 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "core/base/newestjob.h"
+#include "flight.h"
 #include "render/dragtolerance.h"
 #include "render/renderer.h"
 #include "render/sceneview.h"
+#include "surfacefinder.h"
 
 namespace romanesco {
 
 /// The picture of a scene, which the mouse and the keyboard look at from all sides: left drag orbits, right drag or
-/// Shift + left drag pans, the wheel zooms to the pointer; W, A, S, D fly, and then right drag looks about. Draws in slices, so that it never holds up the window:
-/// coarsely while the camera moves, then finely, then smoothly.
+/// Shift + left drag pans, the wheel zooms to the pointer; W, A, S, D fly, and then right drag looks about. Draws in
+/// slices, so that it never holds up the window: coarsely while the camera moves, then finely, then smoothly.
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -30,23 +31,35 @@ public:
     /// than the last scene's: then the view starts anew from that.
     void setScene(std::shared_ptr<const Scene> scene);
 
-    /// The view of the beginning: from where it was saved, from the scene's own camera, or all of the scene in it. A scene that comes before the first picture waits for it.
+    /// Another scene, from where it was looked at before, or from where it begins: nothing of the last one stays.
+    void startScene(std::shared_ptr<const Scene> scene, const std::optional<SceneView> &view);
+
+    /// The view of the beginning: from where it was saved, from the scene's own camera, or all of the scene in it. A scene
+    /// that comes before the first picture waits for it.
     void resetView();
     /// All of the scene, from where the camera looks now.
     void fit();
     enum class Side { Front, Right, Top };
     void lookFrom(Side side);
+    /// The copy that stands out fills the view, as far as there is one.
+    void zoomToSelection();
     void setProjection(Projection projection);
 
-    /// Zooms as the dissertation does, with so long a trail (see dynamicSurroundings()); nothing goes in as deep as there are
-    /// levels.
+    /// As SceneView's.
     void setTrail(std::optional<std::size_t> trail);
+
+    /// The copies that stand out, as a click lets one.
+    void select(const std::optional<Selection> &selection);
+    /// The copies that a map made of the only item stand out.
+    void selectMap(const std::optional<Step> &map);
 
     /// How surfaces are drawn; the copy that was clicked stands out.
     void setAppearance(const Appearance &appearance);
     [[nodiscard]] const Appearance &appearance() const { return m_appearance; }
 
     [[nodiscard]] const SceneView &view() const { return m_view; }
+    /// Whether somebody can have seen anything from there.
+    [[nodiscard]] bool isViewStarted() const { return m_scene && !m_resetsView; }
     /// Where from, counted from the node that is near (see SceneView).
     [[nodiscard]] const Camera &camera() const { return m_view.camera(); }
     /// Whether what is seen is the newest scene from the newest view, at its best.
@@ -94,13 +107,11 @@ private:
         bool operator==(const Request &) const = default;
     };
 
-    [[nodiscard]] bool setFlying(int key, bool isHeld);
-    void flyOn();
+    void fly(const glm::dvec3 &way);
     void findSurfaces();
-    void runFinding(const std::shared_ptr<const Scene> &scene, const std::stop_token &stop);
-    void select(const QPointF &place);
+    void selectAt(const QPointF &place);
     [[nodiscard]] glm::dvec2 fromMiddle(const QPointF &place) const;
-    void fail(const QString &lack);
+    [[nodiscard]] bool makeRenderer();
     void recover();
     void release();
     void reportWhetherAvailable();
@@ -128,9 +139,6 @@ private:
 
     SceneView m_view;
     Appearance m_appearance;
-    std::optional<std::size_t> m_trail;
-    /// The scene that m_finding was given last.
-    std::weak_ptr<const Scene> m_sought;
     quint64 m_cameraRevision = 0;
     /// Runs while the camera counts as moving.
     QTimer m_rest;
@@ -146,18 +154,13 @@ private:
     /// How long one pass of the last fine picture took.
     double m_fineMilliseconds = 0.0;
 
-    /// The ways that keys are held for: right, up, forward.
-    glm::dvec3 m_flight{0.0};
-    QTimer m_flying;
-    QElapsedTimer m_sinceFlown;
-
     Drag m_drag = Drag::None;
     bool m_isClick = false;
     QPointF m_pressedAt;
     QPointF m_lastAt;
 
-    /// Makes what finds the surface under the pointer; the last, so that it ends first.
-    NewestJob<std::shared_ptr<const Scene>> m_finding;
+    Flight m_flight;
+    SurfaceFinder m_surfaceFinder;
 };
 
 }

@@ -7,29 +7,17 @@
 #include <QMenuBar>
 #include <QToolBar>
 
+#include "makeaction.h"
+#include "textactions.h"
+
 namespace romanesco {
 
 namespace {
 
-QAction *make(QWidget &owner, const QString &text, const QKeySequence &key = {})
-{
-    auto *action = new QAction(text, &owner);
-    action->setShortcut(key);
-    QString tip = text;
-    tip.remove(u'&').remove(u'…');
-    // On buttons, where an ellipsis would only be noise.
-    action->setIconText(tip);
-    if (!key.isEmpty()) {
-        tip += QStringLiteral(" (%1)").arg(key.toString(QKeySequence::NativeText));
-    }
-    action->setToolTip(tip);
-    return action;
-}
-
 /// A key that means a letter or a figure everywhere but in the viewport.
 QAction *makeFor(QWidget &viewport, const QString &text, const QKeySequence &key)
 {
-    QAction *action = make(viewport, text, key);
+    QAction *action = makeAction(viewport, text, key);
     action->setShortcutContext(Qt::WidgetShortcut);
     viewport.addAction(action);
     return action;
@@ -38,18 +26,16 @@ QAction *makeFor(QWidget &viewport, const QString &text, const QKeySequence &key
 }
 
 WindowActions::WindowActions(QWidget &window, QWidget &viewport)
-    : newFile(make(window, tr("&New"), QKeySequence::New))
-    , open(make(window, tr("&Open…"), QKeySequence::Open))
-    , save(make(window, tr("&Save"), QKeySequence::Save))
-    , saveAs(make(window, tr("Save &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S))
-    , quit(make(window, tr("&Quit"), Qt::CTRL | Qt::Key_Q))
-    , undo(make(window, tr("&Undo"), QKeySequence::Undo))
-    , redo(make(window, tr("&Redo"), QKeySequence::Redo))
-    , cut(make(window, tr("Cu&t"), QKeySequence::Cut))
-    , copy(make(window, tr("&Copy"), QKeySequence::Copy))
-    , paste(make(window, tr("&Paste"), QKeySequence::Paste))
-    , selectAll(make(window, tr("Select &All"), QKeySequence::SelectAll))
-    , nextProblem(make(window, tr("&Next Problem"), Qt::CTRL | Qt::ALT | Qt::Key_E))
+    : newFile(makeAction(window, tr("&New"), QKeySequence::New))
+    , open(makeAction(window, tr("&Open…"), QKeySequence::Open))
+    , save(makeAction(window, tr("&Save"), QKeySequence::Save))
+    , saveAs(makeAction(window, tr("Save &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S))
+    , reload(makeAction(window, tr("Re&load"), Qt::Key_F4))
+    , exportMesh(makeAction(window, tr("&Export…"), Qt::CTRL | Qt::Key_E))
+    , closeTab(makeAction(window, tr("&Close"), Qt::CTRL | Qt::Key_W))
+    , nextTab(makeAction(window, tr("&Next Text"), Qt::CTRL | Qt::Key_Tab))
+    , previousTab(makeAction(window, tr("&Previous Text"), Qt::CTRL | Qt::SHIFT | Qt::Key_Tab))
+    , quit(makeAction(window, tr("&Quit"), Qt::CTRL | Qt::Key_Q))
     , fit(makeFor(viewport, tr("&Fit"), Qt::Key_F))
     , resetView(makeFor(viewport, tr("&Reset View"), Qt::Key_Home))
     , front(makeFor(viewport, tr("Fr&ont"), Qt::Key_1))
@@ -57,21 +43,19 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , top(makeFor(viewport, tr("&Top"), Qt::Key_7))
     , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
     , endless(makeFor(viewport, tr("&Endless"), Qt::Key_E))
-    , saveView(make(window, tr("Sa&ve View in Text")))
+    , saveView(makeAction(window, tr("Sa&ve View in Text")))
+    , rebuild(makeAction(window, tr("Re&build"), Qt::Key_F5))
     , trail(new QActionGroup(&window))
     , colouring(new QActionGroup(&window))
-    , wireframe(make(window, tr("&Wireframe")))
-    , lighting(make(window, tr("&Lighting")))
-    , textures(make(window, tr("&Textures")))
-    , smooth(make(window, tr("&Smooth Shading")))
-    , largerText(make(window, tr("&Larger Text"), QKeySequence::ZoomIn))
-    , smallerText(make(window, tr("S&maller Text"), QKeySequence::ZoomOut))
-    , usualText(make(window, tr("&Usual Text Size"), Qt::CTRL | Qt::Key_0))
-    , fullScreen(make(window, tr("&Full Screen"), Qt::Key_F11))
-    , about(make(window, tr("&About Romanesco")))
+    , wireframe(makeAction(window, tr("&Wireframe")))
+    , lighting(makeAction(window, tr("&Lighting")))
+    , textures(makeAction(window, tr("&Textures")))
+    , smooth(makeAction(window, tr("&Smooth Shading")))
+    , fullScreen(makeAction(window, tr("&Full Screen"), Qt::Key_F11))
+    , about(makeAction(window, tr("&About Romanesco")))
 {
     for (const QString &words : {tr("&Materials"), tr("&Depth"), tr("&Branch"), tr("S&et")}) {
-        QAction *action = make(window, words);
+        QAction *action = makeAction(window, words);
         action->setCheckable(true);
         colouring->addAction(action);
     }
@@ -81,7 +65,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
         action->setChecked(action != wireframe);
     }
     const auto addTrail = [&](const QString &words, const QVariant &levels) {
-        QAction *action = make(window, words);
+        QAction *action = makeAction(window, words);
         action->setCheckable(true);
         action->setData(levels);
         trail->addAction(action);
@@ -96,55 +80,54 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     endless->setStatusTip(tr("Detail wherever the view leads, as if the depth had no end"));
     orthographic->setIconText(tr("Ortho"));
     fullScreen->setCheckable(true);
-    // What most keyboards have without Shift.
-    largerText->setShortcuts({QKeySequence(QKeySequence::ZoomIn), QKeySequence(Qt::CTRL | Qt::Key_Equal)});
+    exportMesh->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_E), QKeySequence(Qt::Key_F6)});
 }
 
 WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
 {
     QMenu *file = bar.addMenu(tr("&File"));
     file->addActions({newFile, open});
+    QMenu *recent = file->addMenu(tr("Open &Recent"));
     QMenu *examples = file->addMenu(tr("Open &Example"));
     file->addSeparator();
-    file->addActions({save, saveAs});
+    file->addActions({save, saveAs, reload});
     file->addSeparator();
-    file->addAction(quit);
+    file->addAction(exportMesh);
+    QAction *const end = file->addSeparator();
+    file->addActions({closeTab, quit});
 
     QMenu *edit = bar.addMenu(tr("&Edit"));
-    edit->addActions({undo, redo});
-    edit->addSeparator();
-    edit->addActions({cut, copy, paste, selectAll});
-    edit->addSeparator();
-    edit->addAction(nextProblem);
-
     QMenu *view = bar.addMenu(tr("&View"));
     view->addActions({fit, resetView});
     view->addSeparator();
     view->addActions({front, right, top, orthographic});
     view->addSeparator();
-    view->addActions({endless, saveView});
+    view->addActions({endless, saveView, rebuild});
     view->addMenu(tr("&Dissertation's Zoom"))->addActions(trail->actions());
     view->addSeparator();
     view->addMenu(tr("&Colour By"))->addActions(colouring->actions());
     view->addActions({wireframe, lighting, textures, smooth});
     view->addSeparator();
-    view->addActions({largerText, smallerText, usualText});
+
+    QMenu *go = bar.addMenu(tr("&Go"));
 
     QMenu *window = bar.addMenu(tr("&Window"));
+    window->addActions({nextTab, previousTab});
+    window->addSeparator();
     window->addAction(fullScreen);
     window->addSeparator();
 
     bar.addMenu(tr("&Help"))->addAction(about);
-    return {examples, window};
+    return {file, end, recent, edit, go, view, examples, window};
 }
 
-void WindowActions::fill(QToolBar &bar) const
+void WindowActions::fill(QToolBar &bar, const TextActions &textActions) const
 {
     // Words: they need no guessing.
     bar.setToolButtonStyle(Qt::ToolButtonTextOnly);
     bar.addActions({newFile, open, save});
     bar.addSeparator();
-    bar.addActions({undo, redo});
+    textActions.fill(bar);
     bar.addSeparator();
     bar.addActions({fit, orthographic, endless});
     bar.addSeparator();

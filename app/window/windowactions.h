@@ -13,6 +13,8 @@ class QWidget;
 
 namespace romanesco {
 
+class TextActions;
+
 /// All that menus and tool bar offer, with words and keys; what they do is the window's to connect. Owned by the window.
 struct WindowActions {
     Q_DECLARE_TR_FUNCTIONS(WindowActions)
@@ -22,25 +24,29 @@ public:
 
     /// Returns the menus that the window adds to.
     struct OpenMenus {
+        QMenu *file;
+        /// Of what has to do with files, before closing.
+        QAction *endOfFiles;
+        QMenu *recent;
+        QMenu *edit;
+        QMenu *go;
+        QMenu *view;
         QMenu *examples;
         QMenu *window;
     };
     OpenMenus fill(QMenuBar &bar) const;
-    void fill(QToolBar &bar) const;
+    void fill(QToolBar &bar, const TextActions &textActions) const;
 
     QAction *newFile;
     QAction *open;
     QAction *save;
     QAction *saveAs;
+    QAction *reload;
+    QAction *exportMesh;
+    QAction *closeTab;
+    QAction *nextTab;
+    QAction *previousTab;
     QAction *quit;
-
-    QAction *undo;
-    QAction *redo;
-    QAction *cut;
-    QAction *copy;
-    QAction *paste;
-    QAction *selectAll;
-    QAction *nextProblem;
 
     QAction *fit;
     QAction *resetView;
@@ -50,6 +56,7 @@ public:
     QAction *orthographic;
     QAction *endless;
     QAction *saveView;
+    QAction *rebuild;
     /// One of them is checked; its data is a number of levels, or none where it is off.
     QActionGroup *trail;
     /// One of them is checked: materials, depth, branch, set.
@@ -58,9 +65,6 @@ public:
     QAction *lighting;
     QAction *textures;
     QAction *smooth;
-    QAction *largerText;
-    QAction *smallerText;
-    QAction *usualText;
 
     QAction *fullScreen;
     QAction *about;

@@ -42,7 +42,7 @@ double greatestSize(const glm::dvec3 &v)
 }
 
 /// Not of what is NaN.
-bool areComputable(const glm::dvec3 &v)
+[[maybe_unused]] bool areComputable(const glm::dvec3 &v)
 {
     return glm::all(glm::lessThanEqual(glm::abs(v), glm::dvec3(greatestCoordinate)));
 }

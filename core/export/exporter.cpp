@@ -143,15 +143,6 @@ std::expected<ExportReport, std::string> write(const CopySource &copies, const S
     return report;
 }
 
-/// In the folder where a file will stand, which is that of its target where it is a link.
-std::optional<std::uint64_t> freeBytes(const std::filesystem::path &path)
-{
-    std::error_code error;
-    const std::filesystem::path target = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-    const std::filesystem::space_info space = std::filesystem::space(target.parent_path(), error);
-    return error ? std::nullopt : std::optional(std::uint64_t{space.available});
-}
-
 bool isMore(const Count &count, std::uint64_t limit)
 {
     return count.toInteger().value_or(limit + 1) > limit;
@@ -167,6 +158,26 @@ std::optional<ExportFormat> exportFormat(const std::filesystem::path &path)
         : hasEnding(ending, ".stl")  ? std::optional(ExportFormat::Stl)
         : hasEnding(ending, ".glb")  ? std::optional(ExportFormat::Glb)
                                      : std::nullopt;
+}
+
+bool writesOver(const std::filesystem::path &path, ExportFormat format, std::span<const std::filesystem::path> files)
+{
+    const auto isAmong = [&](const std::filesystem::path &written) {
+        return std::ranges::any_of(files, [&](const std::filesystem::path &file) {
+            std::error_code ignored;
+            return std::filesystem::equivalent(written, file, ignored);
+        });
+    };
+    return isAmong(path)
+        || (format == ExportFormat::Obj && isAmong(std::filesystem::path(path).replace_extension(".mtl")));
+}
+
+std::optional<std::uint64_t> freeBytes(const std::filesystem::path &path)
+{
+    std::error_code error;
+    const std::filesystem::path target = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    const std::filesystem::space_info space = std::filesystem::space(target.parent_path(), error);
+    return error ? std::nullopt : std::optional(std::uint64_t{space.available});
 }
 
 std::string obstacle(const ExportForecast &forecast, const ExportOptions &options, const std::filesystem::path &path)

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 
@@ -47,6 +48,14 @@ struct ExportContext {
 /// against it.
 [[nodiscard]] std::string obstacle(const ExportForecast &forecast, const ExportOptions &options,
                                    const std::filesystem::path &path);
+
+/// Whether an export to this path, or the file of materials beside it, would take the place of one of these files, which
+/// the scene is made from.
+[[nodiscard]] bool writesOver(const std::filesystem::path &path, ExportFormat format,
+                              std::span<const std::filesystem::path> files);
+
+/// In the folder where a file will stand, which is that of its target where it is a link. Nothing where that is not known.
+[[nodiscard]] std::optional<std::uint64_t> freeBytes(const std::filesystem::path &path);
 
 /// Writes a scene as one file: each item, in its distinct copies, at its place; balls where they start. Takes memory that
 /// does not grow with the number of copies, but for welding. An OBJ is without its materials, which stand in a file of

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
+#include <ranges>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -27,8 +30,6 @@ constexpr double smallest = 1e-12;
 /// Of what is so many times as large as what is here, the parts that are near would be off by a millionth of what is here;
 /// and little is seen of it between all that is smaller.
 constexpr double largest = 1e9;
-/// Where to keep the direction of what lies farther away.
-constexpr double farthest = 1e100;
 constexpr std::size_t mostLevels = 1'000'000;
 constexpr std::size_t mostStates = 50'000;
 
@@ -37,45 +38,11 @@ bool holds(const Sphere &bound, const glm::dvec3 &point, double radius, double t
     return glm::distance(bound.centre, point) + radius <= times * bound.radius;
 }
 
-/// From the middle of what is nearby.
-double reachOf(const Surroundings &all, const Surroundings::Node &node)
-{
-    const Sphere &bound = all.scene->items[node.item].model->graph.bound(node.state.front());
-    if (bound.isEmpty()) {
-        return 0.0;
-    }
-    const Sphere here = transformed(node.hereFromNode, operatorNorm(node.hereFromNode.linear), bound);
-    return glm::distance(here.centre, all.nearby.centre) + here.radius;
-}
-
-}
-
-glm::dvec3 Surroundings::hereFromWorld(const glm::dvec3 &inWorld) const
-{
-    const glm::dvec3 away = inWorld - origin;
-    const double length = glm::length(away);
-    if (!(length > 0.0)) {
-        return glm::dvec3(0.0);
-    }
-    const double exponent = std::log2(length) - unitExponent;
-    return away / length * std::min(std::exp2(std::min(exponent, 1000.0)), farthest);
-}
-
-void Surroundings::measureReach()
-{
-    reach = nearby.radius;
-    for (const Node &node : nodes) {
-        reach = std::max(reach, reachOf(*this, node));
-    }
-}
-
-glm::dvec3 Surroundings::worldFromHere(const glm::dvec3 &here) const
-{
-    return origin + std::exp2(unitExponent) * here;
 }
 
 Anchor::Anchor(std::shared_ptr<const Scene> scene)
     : m_scene(std::move(scene))
+    , m_neighbours(std::make_shared<Neighbours>(m_scene))
 {
 }
 
@@ -97,7 +64,7 @@ Sphere Anchor::bound() const
         const Box &extent = m_scene->extent;
         return {extent.centre(), 0.5 * glm::length(extent.size())};
     }
-    const Sphere &own = m_table->state(m_table->find(m_levels.back().state)).bound;
+    const Sphere &own = m_levels.back().bound;
     return {linear() * own.centre, own.radius};
 }
 
@@ -121,7 +88,7 @@ void Anchor::forEachChild(std::size_t levels, Use &&use) const
     if (m_table->stateCount() > mostStates) {
         m_table->forget();
     }
-    const Level &node = m_levels[levels - 1];
+    const WayLevel &node = m_levels[levels - 1];
     const StateId state = m_table->find(node.state);
     const std::vector<Sphere> &bounds = m_table->childBounds(state);
     std::size_t number = 0;
@@ -144,16 +111,18 @@ std::optional<Anchor::Move> Anchor::descend(const Child &child)
     if (!(ratio > 0.0) || !std::isfinite(1.0 / ratio) || m_levels.size() >= mostLevels) {
         return std::nullopt;
     }
-    m_levels.push_back({child.step, child.map, child.state, product / ratio, ratio});
+    const double exponent = (m_levels.empty() ? 0.0 : m_levels.back().exponent) + std::log2(ratio);
+    m_levels.push_back({child.step, child.map, child.state, {}, product / ratio, ratio, exponent});
     if (m_levels.size() == 1) {
         setModel();
     }
+    m_levels.back().bound = m_table->state(m_table->find(child.state)).bound;
     return move;
 }
 
 Anchor::Move Anchor::ascend()
 {
-    const Level left = std::move(m_levels.back());
+    const WayLevel left = std::move(m_levels.back());
     m_levels.pop_back();
     if (m_levels.empty()) {
         setModel();
@@ -180,7 +149,7 @@ std::optional<Anchor::Move> Anchor::enterWith(const Step &step)
 std::vector<Anchor::Move> Anchor::moveTo(std::shared_ptr<const Scene> scene)
 {
     Anchor there(std::move(scene));
-    for (const Level &level : m_levels) {
+    for (const WayLevel &level : m_levels) {
         if (!there.enter(level.step)) {
             break;
         }
@@ -207,25 +176,27 @@ void Anchor::addSiblings(std::size_t level, double size, const glm::dvec3 &origi
         // Differences first: what lies close to the way is seen from close by.
         const AffineMap map{axes * child.map.linear, axes * (child.map.translation - through) + origin};
         const std::size_t item = level == 0 ? child.step.map : m_levels.front().step.map;
-        const auto step = level == 0 ? std::nullopt : std::optional(child.step);
-        found.nodes.push_back({item, child.state, map, level == 0 ? 0 : level - 1, step, false});
+        found.nodes.push_back({item, child.state, map, level == 0 ? 0 : level - 1, {}, false});
+        if (level > 0) {
+            found.nodes.back().steps.push_back(child.step);
+        }
     });
     if (level > 0 && m_table->expansion(m_table->find(m_levels[level - 1].state)).hasLeaf) {
         found.nodes.push_back({m_levels.front().step.map,
                                m_levels[level - 1].state,
                                {axes, origin - axes * through},
                                level - 1,
-                               std::nullopt,
+                               {},
                                true});
     }
 }
 
-/// Below a node: of the ways down on which a ball stays within a share of the bounds, the one that ends at the smallest.
-Anchor::Way Anchor::wayDown(StateTable &table, const Place &start, const glm::dvec3 &point, double radius)
+/// Below some nodes: of the ways down on which a ball stays within a share of the bounds, the one that ends at the smallest.
+Anchor::Way Anchor::wayDown(StateTable &table, std::vector<Place> places, const glm::dvec3 &point, double radius)
 {
-    std::vector<Place> places{start};
-    std::vector<std::size_t> open{0};
-    std::size_t best = 0;
+    std::vector<std::size_t> open(places.size());
+    std::ranges::iota(open, std::size_t(0));
+    const auto start = std::ranges::max(places, {}, &Place::norm).norm;
     while (!open.empty()) {
         std::vector<Place> next;
         for (const std::size_t from : open) {
@@ -237,7 +208,7 @@ Anchor::Way Anchor::wayDown(StateTable &table, const Place &start, const glm::dv
                 for (std::uint32_t map = range.firstMap; map < range.endMap; ++map, ++number) {
                     const double size = at.norm * bounds[number].radius;
                     const double share = (glm::distance(at.map(bounds[number].centre), point) + radius) / size;
-                    if (share <= inside && size > smallest * start.norm) {
+                    if (share <= inside && size > smallest * start) {
                         const AffineMap below = at.map * table.graph().set(range.set).maps[map];
                         const double norm = operatorNorm(below.linear);
                         next.push_back(
@@ -251,14 +222,15 @@ Anchor::Way Anchor::wayDown(StateTable &table, const Place &start, const glm::dv
         open.clear();
         for (Place &place : next) {
             open.push_back(places.size());
-            best = place.size < places[best].size ? places.size() : best;
             places.push_back(std::move(place));
         }
     }
-    Way way{{}, places[best].size};
-    for (; best != 0; best = places[best].from) {
-        way.steps.push_back(places[best].step);
+    std::size_t at = static_cast<std::size_t>(std::ranges::min_element(places, {}, &Place::size) - places.begin());
+    Way way{{}, places[at].size, places[at].map, 0};
+    for (; places[at].from != none; at = places[at].from) {
+        way.steps.push_back(places[at].step);
     }
+    way.start = places[at].step.map;
     std::ranges::reverse(way.steps);
     return way;
 }
@@ -268,8 +240,8 @@ Anchor::Way Anchor::wayDown(const glm::dvec3 &point, double radius) const
 {
     const auto holdsBall = [&](const Sphere &sphere) { return holds(sphere, point, radius, inside); };
     if (!isInWorld()) {
-        return wayDown(*m_table, {0, {}, m_levels.back().state, {linear(), glm::dvec3(0.0)}, 1.0, bound().radius, 0.0},
-                       point, radius);
+        const AffineMap map{linear(), glm::dvec3(0.0)};
+        return wayDown(*m_table, {{none, {}, m_levels.back().state, map, 1.0, bound().radius, 0.0}}, point, radius);
     }
     Way best{{}, std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < m_scene->items.size(); ++i) {
@@ -280,8 +252,8 @@ Anchor::Way Anchor::wayDown(const glm::dvec3 &point, double radius) const
         }
         StateTable table(item.model->graph);
         const AffineMap &map = item.worldFromModel;
-        Way way =
-            wayDown(table, {0, {}, Positions{0}, map, operatorNorm(map.linear), sphere.radius, 0.0}, point, radius);
+        Way way = wayDown(table, {{none, {}, Positions{0}, map, operatorNorm(map.linear), sphere.radius, 0.0}}, point,
+                          radius);
         if (way.size < best.size) {
             best = std::move(way);
             best.steps.insert(best.steps.begin(), {0, static_cast<std::uint32_t>(i)});
@@ -308,21 +280,92 @@ std::vector<Anchor::Move> Anchor::follow(const glm::dvec3 &point, double radius)
     const Way way = other.wayDown(p, r);
     const bool isLeft = !isInWorld() && !holds(bound(), point, radius, outside);
     const double size = way.steps.empty() && !other.isInWorld() ? other.bound().radius : way.size;
+    const double least = isLeft ? unit * size : std::min(unit * size, bound().radius);
+    if (const auto move = goAcross(point, radius, other.m_levels.size(), worthIt * least)) {
+        return {*move};
+    }
     if (!isLeft && !(unit * size < worthIt * bound().radius) && !(isInWorld() && !way.steps.empty())) {
         return {};
     }
     std::vector<Step> path;
-    for (const Level &level : other.m_levels) {
+    for (const WayLevel &level : other.m_levels) {
         path.push_back(level.step);
     }
     path.insert(path.end(), way.steps.begin(), way.steps.end());
     return goTo(path);
 }
 
+/// Those of an item's nodes in whose bounds a ball lies and to which the way parts above so many levels; the steps are their
+/// numbers.
+std::vector<Anchor::Place> Anchor::placesAcross(const Surroundings &all, std::span<const Surroundings::Node> nodes,
+                                                const glm::dvec3 &point, double radius, std::size_t levels)
+{
+    const FractalGraph &graph = all.scene->items[nodes.front().item].model->graph;
+    std::vector<Place> places;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        const Surroundings::Node &node = nodes[i];
+        const Sphere &own = graph.bound(node.state.front());
+        const bool isAcross = node.item != all.pathItem || node.sharedSteps + 1 < levels;
+        if (!isAcross || node.isMeshOnly || own.isEmpty()) {
+            continue;
+        }
+        const double norm = operatorNorm(node.hereFromNode.linear);
+        const double size = norm * own.radius;
+        const double share = (glm::distance(node.hereFromNode(own.centre), point) + radius) / size;
+        if (share <= inside) {
+            places.push_back({none, {0, i}, node.state, node.hereFromNode, norm, size, share});
+        }
+    }
+    std::ranges::sort(places, {}, &Place::share);
+    places.resize(std::min(places.size(), mostFollowed));
+    return places;
+}
+
+/// To a node that is smaller than that, on a way that parts from this one above so many levels. Its place is known from here:
+/// up to where the ways part and down again it would be lost.
+std::optional<Anchor::Move> Anchor::goAcross(const glm::dvec3 &point, double radius, std::size_t levels, double size)
+{
+    if (levels == 0) {
+        return std::nullopt;
+    }
+    const auto all = surroundings();
+    const auto sameItem = [](const auto &a, const auto &b) { return a.item == b.item; };
+    std::optional<Way> best;
+    const Surroundings::Node *from = nullptr;
+    for (const auto &run : all->nodes | std::views::chunk_by(sameItem)) {
+        std::vector<Place> places = placesAcross(*all, run, point, radius, levels);
+        if (places.empty()) {
+            continue;
+        }
+        StateTable table(m_scene->items[run.front().item].model->graph);
+        Way way = wayDown(table, std::move(places), point, radius);
+        if (way.size < size) {
+            size = way.size;
+            from = &run[way.start];
+            best = std::move(way);
+        }
+    }
+    if (!best) {
+        return std::nullopt;
+    }
+    Anchor there(m_scene);
+    there.m_neighbours = m_neighbours;
+    bool isThere = there.enter({0, static_cast<std::uint32_t>(from->item)});
+    const auto goOn = [&](const Step &step) { isThere = isThere && there.enter(step); };
+    std::ranges::for_each(std::span(all->path).first(from->sharedSteps), goOn);
+    std::ranges::for_each(from->steps, goOn);
+    std::ranges::for_each(best->steps, goOn);
+    if (!isThere) {
+        return std::nullopt;
+    }
+    *this = std::move(there);
+    return Move{operatorNorm(best->map.linear), best->map.translation};
+}
+
 /// What the ways here and there have in common stays as it is: each move rounds.
 std::vector<Anchor::Move> Anchor::goTo(std::span<const Step> path)
 {
-    const auto isSame = [](const Level &level, const Step &step) { return level.step == step; };
+    const auto isSame = [](const WayLevel &level, const Step &step) { return level.step == step; };
     const auto common = std::ranges::mismatch(m_levels, path, isSame).in1 - m_levels.begin();
     std::vector<Move> moves;
     while (m_levels.size() > static_cast<std::size_t>(common)) {
@@ -350,15 +393,20 @@ std::shared_ptr<const Surroundings> Anchor::surroundings() const
     glm::dvec3 origin(0.0);
     if (!m_levels.empty()) {
         found.pathItem = m_levels.front().step.map;
-        const Level &own = m_levels.back();
+        const WayLevel &own = m_levels.back();
         found.nodes.push_back(
             {m_levels.front().step.map, own.state, {own.linear, glm::dvec3(0.0)}, found.path.size(), {}, false});
     }
-    for (std::size_t level = m_levels.size(); level-- > 0 && size <= largest;) {
+    std::size_t level = m_levels.size();
+    while (level > 0 && size <= largest) {
+        --level;
         size /= m_levels[level].ratio;
         addSiblings(level, size, origin, found);
         const glm::dmat3 above = level == 0 ? glm::dmat3(1.0) : m_levels[level - 1].linear;
         origin -= size * (above * m_levels[level].map.translation);
+    }
+    if (level > 0) {
+        std::ranges::move(m_neighbours->of(m_levels, level), std::back_inserter(found.nodes));
     }
     if (m_levels.empty()) {
         addSiblings(0, size, origin, found);
@@ -366,13 +414,11 @@ std::shared_ptr<const Surroundings> Anchor::surroundings() const
     found.measureReach();
     const auto itemOf = [](const Surroundings::Node &node) { return node.item; };
     std::ranges::stable_sort(found.nodes, {}, itemOf);
-    for (const Level &level : m_levels) {
-        found.unitExponent += std::log2(level.ratio);
-    }
+    found.unitExponent = m_levels.empty() ? 0.0 : m_levels.back().exponent;
     glm::dmat3 worldFromAbove(1.0);
-    for (const Level &level : m_levels) {
-        found.origin += worldFromAbove * level.map.translation;
-        worldFromAbove = worldFromAbove * level.map.linear;
+    for (const WayLevel &way : m_levels) {
+        found.origin += worldFromAbove * way.map.translation;
+        worldFromAbove = worldFromAbove * way.map.linear;
     }
     return std::make_shared<const Surroundings>(std::move(found));
 }

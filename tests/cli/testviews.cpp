@@ -115,6 +115,42 @@ private Q_SLOTS:
         QVERIFY(different(trail("1000"), plain) < 30);
     }
 
+    /// Counted from a copy, with a third of the world's unit: the same place told in two ways.
+    void aPlaceInsideIsThatOfTheWorld()
+    {
+        const QString inside = sponge("# view: in 0: 0.7 at (0, 0, -8.4) (0, -0.5, 0) 60 perspective");
+        const QStringList quiet{QStringLiteral("--quiet")};
+        const QStringList near{QStringLiteral("--trail"), QStringLiteral("0")};
+        const QImage seen = picture(inside, quiet);
+        const QImage seenNear = picture(inside, near);
+        const QStringList camera{QStringLiteral("--camera"), QStringLiteral("c (1, 1, -1.8) (0, -0.5, 0) 60")};
+        const QImage plain = picture(sponge("#"), camera);
+        QVERIFY(!seen.isNull() && seen != picture(sponge("#")));
+        const int off = different(seen, plain);
+        QVERIFY2(off >= 0 && off < 60, qPrintable(QString::number(off)));
+        const int offNear = different(seenNear, picture(sponge("#"), camera + near));
+        QVERIFY2(offNear >= 0 && offNear < 60, qPrintable(QString::number(offNear)));
+        QVERIFY(different(seenNear, plain) > 500);
+    }
+
+    /// Before the corner (1, 1, -1), nearer than its own corners and farther than those of any copy in it: one step.
+    void aTrailOfNoneIsTheNearestCopy()
+    {
+        const QStringList camera{QStringLiteral("--camera"), QStringLiteral("c (1, 1, -1.8) (0, -0.5, 0) 60")};
+        const auto trail = [&](const char *levels) {
+            return picture(sponge("#"), camera + QStringList{QStringLiteral("--trail"), QLatin1String(levels)});
+        };
+        const QImage plain = picture(sponge("#"), camera);
+        const QImage none = trail("0");
+        QVERIFY(different(none, plain) > 500);
+        QVERIFY(different(trail("1"), plain) < 30);
+        write(path("near.sdo"),
+              "f \"sponge.fdo\" ((1, 1, -1), #, (0.33333333333333333, 0.33333333333333333, "
+              "0.33333333333333333))\n");
+        const int off = different(none, picture(path("near.sdo"), camera));
+        QVERIFY2(off >= 0 && off < 60, qPrintable(QString::number(off)));
+    }
+
     /// Of a text that has no end to show: as the window shows it.
     void anEndlessViewThatCannotBeIsShownAsWritten()
     {

@@ -3,6 +3,7 @@
 #include <QHelpEvent>
 #include <QTest>
 #include <QTextBlock>
+#include <QTextDocumentFragment>
 #include <QTextLayout>
 #include <QToolTip>
 #include <QWheelEvent>
@@ -198,7 +199,7 @@ void TestFdoEditor::hoveringSaysWhatIsWrong()
         const QPoint point = editor.cursorRect(cursor).center() + QPoint(2, 0);
         QHelpEvent event(QEvent::ToolTip, point, editor.viewport()->mapToGlobal(point));
         QCoreApplication::sendEvent(editor.viewport(), &event);
-        return QToolTip::text();
+        return QTextDocumentFragment::fromHtml(QToolTip::text()).toPlainText();
     };
     QCOMPARE(hover(8), editor.problems().front().message);
     QToolTip::hideText();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QTest>
+#include <QTextBlock>
 #include <QTextDocument>
 
 #include "editor/textsnapshot.h"
@@ -15,6 +16,7 @@ private Q_SLOTS:
     void everyCharacterIsFoundAgain();
     void insideACharacterIsTheCharacter();
     void beyondTheEndIsTheEnd();
+    void linesAreThoseOfTheDocument();
     void noBreakSpacesStay();
     void aSnapshotStaysAsItWas();
 };
@@ -41,11 +43,13 @@ void TestTextSnapshot::everyCharacterIsFoundAgain()
     std::size_t offset = 0;
     for (qsizetype at = 0; at < text.size(); ++at) {
         QCOMPARE(snapshot.position(offset), int(at));
+        QCOMPARE(snapshot.offset(int(at)), offset);
         const qsizetype units = text[at].isHighSurrogate() ? 2 : 1;
         offset += static_cast<std::size_t>(text.sliced(at, units).toUtf8().size());
         at += units - 1;
     }
     QCOMPARE(snapshot.position(offset), int(text.size()));
+    QCOMPARE(snapshot.offset(int(text.size())), offset);
 }
 
 void TestTextSnapshot::insideACharacterIsTheCharacter()
@@ -57,6 +61,7 @@ void TestTextSnapshot::insideACharacterIsTheCharacter()
         QCOMPARE(snapshot.position(inside), 1);
     }
     QCOMPARE(snapshot.position(6), 3);
+    QCOMPARE(snapshot.offset(2), 1u); // between the two units
 }
 
 void TestTextSnapshot::beyondTheEndIsTheEnd()
@@ -65,6 +70,22 @@ void TestTextSnapshot::beyondTheEndIsTheEnd()
     document.setPlainText(QStringLiteral("ä\nb"));
     QCOMPARE(TextSnapshot(document).position(1'000), 3);
     QCOMPARE(TextSnapshot().position(1), 0);
+    QCOMPARE(TextSnapshot(document).offset(1'000), 4u);
+    QCOMPARE(TextSnapshot().offset(1), 0u);
+    QCOMPARE(TextSnapshot(document).offset(-1), 0u);
+}
+
+void TestTextSnapshot::linesAreThoseOfTheDocument()
+{
+    QTextDocument document;
+    document.setPlainText(QStringLiteral("ä\n\nb🌲\n"));
+    const TextSnapshot snapshot(document);
+    QCOMPARE(snapshot.lineCount(), std::size_t(4));
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        QCOMPARE(std::string(snapshot.line(std::size_t(block.blockNumber()))), block.text().toStdString());
+    }
+    QCOMPARE(TextSnapshot().lineCount(), std::size_t(1));
+    QVERIFY(TextSnapshot().line(0).empty());
 }
 
 void TestTextSnapshot::noBreakSpacesStay()

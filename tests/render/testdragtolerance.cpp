@@ -35,7 +35,9 @@ private Q_SLOTS:
         DragTolerance tolerance;
         double last = 0.0;
         for (int picture = 0; picture < 20; ++picture) {
-            while (tolerance.givesUp(costOf(tolerance.pixels()))) { }
+            for (int tries = 0; tolerance.givesUp(costOf(tolerance.pixels())); ++tries) {
+                QVERIFY(tries < 10);
+            }
             last = costOf(tolerance.pixels());
             tolerance.finished(last);
         }
@@ -61,6 +63,23 @@ private Q_SLOTS:
         QVERIFY(tolerance.pixels() < before);
     }
 
+    /// However far off a picture was: the next may be another.
+    void oneStepIsAFactorOfTwoAtMost()
+    {
+        DragTolerance slow;
+        slow.finished(1e6);
+        QCOMPARE(slow.pixels(), 2.0 * DragTolerance::first);
+        DragTolerance fast;
+        fast.finished(0.0);
+        QCOMPARE(fast.pixels(), DragTolerance::first / 2.0);
+        for (int picture = 0; picture < 10; ++picture) {
+            slow.finished(1e6);
+            fast.finished(0.0);
+        }
+        QCOMPARE(slow.pixels(), DragTolerance::coarsest);
+        QCOMPARE(fast.pixels(), DragTolerance::finest);
+    }
+
     void onlyWhatIsLateIsGivenUp()
     {
         DragTolerance tolerance;
@@ -69,8 +88,8 @@ private Q_SLOTS:
         QVERIFY(tolerance.givesUp(DragTolerance::mostMilliseconds + 1.0));
         QVERIFY(tolerance.pixels() > DragTolerance::first);
         // At the coarsest it takes as long as it takes.
-        while (tolerance.pixels() < DragTolerance::coarsest) {
-            QVERIFY(tolerance.givesUp(1e6));
+        for (int tries = 0; tolerance.pixels() < DragTolerance::coarsest; ++tries) {
+            QVERIFY(tries < 10 && tolerance.givesUp(1e6));
         }
         QVERIFY(!tolerance.givesUp(1e6));
     }

@@ -24,6 +24,14 @@ class TestFailures : public DrawingTest
         draw(scene, m_view);
         return m_renderer->error();
     }
+    bool remakeRenderer()
+    {
+        auto made = Renderer::create();
+        if (made) {
+            m_renderer = std::move(*made);
+        }
+        return made.has_value();
+    }
     bool drawsAgain() { return shareOfBackground(draw(m_scene, m_view)) < 0.9 && m_renderer->error().empty(); }
 
 private Q_SLOTS:
@@ -121,6 +129,19 @@ private Q_SLOTS:
             const DriverReset reset(1);
             QCOMPARE(failureOf(m_scene), std::string("The graphics driver was reset."));
             QVERIFY(m_renderer->isLost());
+        }
+        QVERIFY(remakeRenderer());
+        m_renderer->setScene(m_scene);
+        m_renderer->begin(m_view);
+        {
+            const DriverReset whileItDraws(1, 1);
+            m_renderer->step(std::chrono::seconds(60));
+            QVERIFY2(m_renderer->isLost() && m_renderer->finishedSamples() == 0, "what was drawn last is nothing");
+        }
+        QVERIFY(remakeRenderer() && drawsAgain());
+        {
+            const DriverReset whileItIsRead(1);
+            QVERIFY(m_renderer->read().pixels.empty() && m_renderer->isLost());
         }
         const DriverReset again(1);
         const auto made = Renderer::create();

@@ -265,6 +265,18 @@ void TestSurfaces::selectedCopiesStandOut()
     QCOMPARE(pixel(one, at(6), 50), pixel(plain, at(6), 50));
     view.appearance.colours.selection = Selection{1, {}};
     QVERIFY2(draw(scene, view).pixels == plain.pixels, "of another item");
+    // Of each pair the one that a map of the inner set makes.
+    view.appearance.colours.selection.reset();
+    view.appearance.colours.map = MapSelection{0, {0, 1}};
+    const Picture made = draw(scene, view);
+    for (const double x : {-6.0, 2.0}) {
+        QCOMPARE(pixel(made, at(x), 50), pixel(plain, at(x), 50));
+    }
+    for (const double x : {-2.0, 6.0}) {
+        QVERIFY(pixel(made, at(x), 50)[0] > pixel(plain, at(x), 50)[0] + 20);
+    }
+    view.appearance.colours.map->item = 1;
+    QVERIFY2(draw(scene, view).pixels == plain.pixels, "of another item");
 }
 
 void TestSurfaces::branchesHaveColoursOfTheirOwn()

@@ -13,7 +13,7 @@ using namespace romanesco;
 namespace {
 
 struct Sample {
-    DepthControl control;
+    DepthControl control{QStringLiteral("Depth")};
     QSlider &slider = *control.findChild<QSlider *>();
     WholeNumberBox &box = *control.findChild<WholeNumberBox *>();
     QLineEdit &field = *box.findChild<QLineEdit *>();

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 
+#include "pictures.h"
 #include "tests/render/gldoubles.h"
 #include "windowsample.h"
 
@@ -101,7 +102,7 @@ void TestGlFailures::theDriverMayBeReset()
     }
     QVERIFY(sample.waitForPicture());
     QCOMPARE(reason(sample), QString());
-    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+    QVERIFY(isLike(sample.viewport.grabFramebuffer(), before));
 }
 
 void TestGlFailures::whereTheContextIsLostTheReasonIsTold()
@@ -110,7 +111,8 @@ void TestGlFailures::whereTheContextIsLostTheReasonIsTold()
     QVERIFY(sample.waitForPicture());
     const DriverReset reset(1'000'000);
     sample.viewport.resetView();
-    QVERIFY(QTest::qWaitFor([&] { return reason(sample).contains(QStringLiteral("The graphics driver was reset.")); }));
+    QVERIFY(
+        QTest::qWaitFor([&] { return reason(sample).contains(QStringLiteral("when the program is started anew")); }));
     QVERIFY(checksTheText(sample));
 }
 
@@ -128,7 +130,7 @@ void TestGlFailures::anotherWindowsContextDrawsOn()
     sample.pane.show();
     QVERIFY(ready.count() == 1 || ready.wait());
     QVERIFY(sample.waitForPicture());
-    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+    QVERIFY(isLike(sample.viewport.grabFramebuffer(), before));
     sample.window.setCentralWidget(&sample.pane);
     QVERIFY(ready.count() == 2 || ready.wait());
     QVERIFY(sample.waitForPicture());

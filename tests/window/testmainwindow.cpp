@@ -58,6 +58,11 @@ private Q_SLOTS:
     void droppedFilesAreOpened();
     void theLayoutIsRemembered();
     void buttonsTellTheirKeys();
+    void keysReachTheText_data();
+    void keysReachTheText();
+    void aPathLeadsToItsFile();
+    void renumberingIsOneClickAway();
+    void noTwoActionsHaveOneKey();
 };
 
 void TestMainWindow::theExampleIsDrawn()
@@ -138,7 +143,7 @@ void TestMainWindow::theSliderEditsTheText()
     Sample sample;
     QVERIFY(sample.waitForPicture());
     const QString original = sample.editor.toPlainText();
-    auto &slider = *sample.window.findChild<QSlider *>();
+    auto &slider = sample.depthSlider();
     QVERIFY(slider.isEnabled());
     QCOMPARE(slider.value(), 2);
     slider.setSliderDown(true);
@@ -158,7 +163,7 @@ void TestMainWindow::undoMovesTheSlider()
 {
     Sample sample;
     QVERIFY(sample.waitForPicture());
-    auto &slider = *sample.window.findChild<QSlider *>();
+    auto &slider = sample.depthSlider();
     slider.setValue(1);
     sample.editor.undo();
     QVERIFY(QTest::qWaitFor([&] { return slider.value() == 2; }, 20'000));
@@ -240,7 +245,7 @@ void TestMainWindow::aFileWithErrorsHasNoPictureOfTheLastFile()
     QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), "<$>. rigt\n")));
     QVERIFY(sample.waitForStrip(true));
     QVERIFY(sample.strip().startsWith(QStringLiteral("No picture yet — line 1:")));
-    QVERIFY(!sample.window.findChild<QSlider *>()->isEnabled());
+    QVERIFY(!sample.depthSlider().isEnabled());
     QVERIFY(sample.waitForEmptyPicture());
     const QImage picture = sample.viewport.grabFramebuffer();
     QVERIFY(qGray(picture.pixel(picture.rect().center())) < 60);
@@ -256,7 +261,7 @@ void TestMainWindow::nothingOfAFilesTroubleStaysWithTheNext()
     QCOMPARE(sample.problems.topLevelItemCount(), 1);
     sample.window.openExample();
     QCOMPARE(sample.strip(), QString());
-    QCOMPARE(squiggles(sample.editor), 0);
+    QCOMPARE(squiggles(sample.visibleEditor()), 0);
     QCOMPARE(sample.problems.topLevelItemCount(), 0);
 }
 
@@ -278,7 +283,7 @@ void TestMainWindow::deepFractalsOfOneSizeLeaveTheWindowAlive()
     const QByteArray text = "v 1 0 0\nv 0 1 0\nx. \"cube.obj\"\nk.p. (p, #, #)\nz<x>. [k.1, k.2] x\n<$>. z 60000\n";
     QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
     QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), text)));
-    QVERIFY(QTest::qWaitFor([&] { return sample.window.findChild<QSlider *>()->isEnabled(); }, 20'000));
+    QVERIFY(QTest::qWaitFor([&] { return sample.depthSlider().isEnabled(); }, 20'000));
     for (int i = 0; i < 50; ++i) {
         QCoreApplication::processEvents();
     }
@@ -358,6 +363,81 @@ void TestMainWindow::buttonsTellTheirKeys()
         const bool isButton = !action->isSeparator() && !action->text().isEmpty();
         QVERIFY2(!isButton || action->toolTip().contains(u'('), qPrintable(action->text()));
     }
+}
+
+void TestMainWindow::keysReachTheText_data()
+{
+    QTest::addColumn<QKeySequence>("key");
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("after");
+    const QString vectors = QStringLiteral("v 1 0 0\nv  2 0 0\n");
+    QTest::newRow("comment") << QKeySequence(Qt::CTRL | Qt::Key_Slash) << vectors << "# v 1 0 0\nv  2 0 0\n";
+    QTest::newRow("duplicate") << QKeySequence(Qt::CTRL | Qt::Key_D) << vectors << "v 1 0 0\nv 1 0 0\nv  2 0 0\n";
+    QTest::newRow("tidy") << QKeySequence(Qt::CTRL | Qt::Key_I) << "v  2 0 0\n" << "v 2 0 0\n";
+}
+
+void TestMainWindow::keysReachTheText()
+{
+    QFETCH(const QKeySequence, key);
+    QFETCH(const QString, before);
+    QFETCH(const QString, after);
+    Sample sample;
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), before.toUtf8())));
+    sample.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&sample.window));
+    sample.editor.setFocus();
+    QTest::keySequence(&sample.editor, key);
+    QCOMPARE(sample.editor.toPlainText(), after);
+    QTest::keySequence(&sample.editor, QKeySequence::Undo);
+    QCOMPARE(sample.editor.toPlainText(), before);
+}
+
+void TestMainWindow::aPathLeadsToItsFile()
+{
+    Sample sample;
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    (void)sample.write(QStringLiteral("a.fdo"), "<$>. \"cube.obj\"\n");
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("s.sdo"), "f \"a.fdo\" #\n")));
+    sample.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&sample.window));
+    sample.editor.setFocus();
+    sample.placeCursorAt(QStringLiteral("a.fdo"));
+    QTest::keyClick(&sample.editor, Qt::Key_F12);
+    QVERIFY(sample.window.windowTitle().startsWith(QStringLiteral("a.fdo")));
+    QVERIFY(sample.visibleEditor().toPlainText().startsWith(QStringLiteral("<$>. ")));
+}
+
+void TestMainWindow::renumberingIsOneClickAway()
+{
+    Sample sample;
+    const QByteArray text = "v 1 0 0\nv 2 0 0\nx. \"cube.obj\"\nt.p. (p, #, #)\n<$>. [t.2] x\n";
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), text)));
+    QTextCursor cursor(sample.editor.document());
+    cursor.insertText(QStringLiteral("v 0 5 0\n"));
+    QVERIFY(QTest::qWaitFor([&] { return sample.message().contains(QStringLiteral("Ctrl+Shift+R")); }, 20'000));
+    for (MessageStrip *strip : sample.window.findChildren<MessageStrip *>()) {
+        if (strip->isVisible() && strip != &sample.pane.strip()) {
+            QTest::mouseClick(strip, Qt::LeftButton);
+        }
+    }
+    QVERIFY(sample.editor.toPlainText().contains(QStringLiteral("[t.3] x")));
+    QCOMPARE(sample.message(), QString());
+    sample.editor.undo();
+    QCOMPARE(sample.editor.toPlainText().toUtf8(), text);
+}
+
+void TestMainWindow::noTwoActionsHaveOneKey()
+{
+    const Sample sample;
+    QHash<QString, QString> owners;
+    for (const QAction *action : sample.window.findChildren<QAction *>()) {
+        for (const QKeySequence &key : action->shortcuts()) {
+            const QString name = key.toString();
+            QVERIFY2(!owners.contains(name), qPrintable(name + u' ' + action->text() + u' ' + owners.value(name)));
+            owners.insert(name, action->text());
+        }
+    }
+    QVERIFY(owners.size() > 30);
 }
 
 int main(int argc, char **argv)

@@ -49,7 +49,7 @@ void TestSceneWindow::aSceneIsDrawnFromItsCameraWithoutADepth()
         },
         60'000));
     QVERIFY(sample.drawn > 100);
-    QVERIFY(!sample.window.findChild<QSlider *>()->isEnabled());
+    QVERIFY(!sample.depthSlider().isEnabled());
     const auto isOrthographicChecked = [&] {
         for (const QAction *action : sample.viewport.actions()) {
             if (action->isCheckable()) {
@@ -61,7 +61,7 @@ void TestSceneWindow::aSceneIsDrawnFromItsCameraWithoutADepth()
     QVERIFY(isOrthographicChecked());
     // A fractal by itself has its depth, and a view of its own.
     sample.window.openExample();
-    QVERIFY(QTest::qWaitFor([&] { return sample.window.findChild<QSlider *>()->isEnabled(); }, 20'000));
+    QVERIFY(QTest::qWaitFor([&] { return sample.depthSlider().isEnabled(); }, 20'000));
 }
 
 void TestSceneWindow::whatASceneNamesIsAProblemAtItsName()
@@ -92,9 +92,10 @@ void TestSceneWindow::theProblemsOfAFileAreOneClickAway()
     QCOMPARE(note->text(0), QStringLiteral("bad.fdo:3:6"));
     sample.problems.scrollToItem(note);
     QTest::mouseClick(sample.problems.viewport(), Qt::LeftButton, {}, sample.problems.visualItemRect(note).center());
-    QVERIFY(sample.editor.toPlainText().startsWith(QString::fromUtf8("# größe")));
-    QCOMPARE(sample.editor.textCursor().blockNumber(), 2);
-    QCOMPARE(sample.editor.textCursor().positionInBlock(), 5);
+    const FdoEditor &editor = sample.visibleEditor();
+    QVERIFY(editor.toPlainText().startsWith(QString::fromUtf8("# größe")));
+    QCOMPARE(editor.textCursor().blockNumber(), 2);
+    QCOMPARE(editor.textCursor().positionInBlock(), 5);
 }
 
 int main(int argc, char **argv)

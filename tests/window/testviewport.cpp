@@ -10,8 +10,10 @@
 #include "app/window/viewport.h"
 #include "core/scene/sceneloader.h"
 #include "glapplication.h"
+#include "pictures.h"
 
 using namespace romanesco;
+using romanesco::test::isLike;
 
 namespace {
 
@@ -384,7 +386,7 @@ QPoint placeOnSurface(const Viewport &viewport, QPoint near)
 {
     for (int i = 0; i < 60 * 60; ++i) {
         const QPoint place = near + QPoint(i % 60 - 30, i / 60 - 30);
-        const glm::dvec2 at(place.x() - viewport.width() / 2.0, viewport.height() / 2.0 - place.y());
+        const glm::dvec2 at(place.x() + 0.5 - viewport.width() / 2.0, viewport.height() / 2.0 - place.y() - 0.5);
         if (viewport.view().pick(at / double(viewport.height()), 1e-3)) {
             return place;
         }
@@ -471,7 +473,7 @@ void TestViewport::aClickLetsACopyStandOut()
     sample.drag(Qt::LeftButton, Qt::NoModifier, {1, 1}, {1, 1});
     QVERIFY(!sample.viewport.appearance().colours.selection);
     QVERIFY(sample.waitForPicture());
-    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+    QVERIFY(isLike(sample.viewport.grabFramebuffer(), before));
     QVERIFY(clicksThatAreSeen(sample, {{80, 60}, {100, 90}}) >= 1);
     sample.viewport.setScene(exampleScene("menger.fdo"));
     QVERIFY2(!sample.viewport.appearance().colours.selection, "of another scene");
@@ -490,7 +492,7 @@ void TestViewport::appearancesMakeNewPictures()
     QVERIFY(sample.viewport.grabFramebuffer() != before);
     sample.viewport.setAppearance({});
     QVERIFY(sample.waitForPicture());
-    QCOMPARE(sample.viewport.grabFramebuffer(), before);
+    QVERIFY(isLike(sample.viewport.grabFramebuffer(), before));
 }
 
 int main(int argc, char **argv)

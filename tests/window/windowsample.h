@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QFile>
+#include <QSlider>
+#include <QToolBar>
 
 #include "app/window/mainwindow.h"
 #include "app/window/messagestrip.h"
@@ -33,6 +35,18 @@ struct WindowSample {
         window.openExample();
         window.show();
     }
+    /// Of the text that is looked at.
+    [[nodiscard]] FdoEditor &visibleEditor() const
+    {
+        for (FdoEditor *any : window.findChildren<FdoEditor *>()) {
+            if (any->isVisible()) {
+                return *any;
+            }
+        }
+        qFatal("no text is looked at");
+    }
+    /// That of the tool bar.
+    [[nodiscard]] QSlider &depthSlider() const { return *window.findChild<QToolBar *>()->findChild<QSlider *>(); }
     bool waitForPicture() const
     {
         return QTest::qWaitFor([&] { return drawn > 0 && viewport.isPictureFinished(); }, 120'000);

@@ -1,63 +1,22 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <format>
 #include <random>
 
 #include <QTest>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "core/scene/anchor.h"
+#include "tests/core/scene/longplaces.h"
 #include "tests/core/scene/randomscenes.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
 
 namespace {
-
-/// Digits enough to tell copies of a thousand levels apart in world coordinates: the oracle.
-using Long = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<700>, boost::multiprecision::et_off>;
-using LongVector = std::array<Long, 3>;
-
-struct LongMap {
-    std::array<LongVector, 3> columns{LongVector{1, 0, 0}, LongVector{0, 1, 0}, LongVector{0, 0, 1}};
-    LongVector translation{0, 0, 0};
-
-    [[nodiscard]] LongVector turned(const glm::dvec3 &v) const
-    {
-        LongVector result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            result[i] = columns[0][i] * v.x + columns[1][i] * v.y + columns[2][i] * v.z;
-        }
-        return result;
-    }
-    [[nodiscard]] LongMap then(const AffineMap &inner) const
-    {
-        LongMap result;
-        for (int i = 0; i < 3; ++i) {
-            result.columns[static_cast<std::size_t>(i)] = turned(inner.linear[i]);
-        }
-        result.translation = turned(inner.translation);
-        for (std::size_t i = 0; i < 3; ++i) {
-            result.translation[i] += translation[i];
-        }
-        return result;
-    }
-    [[nodiscard]] Long size() const
-    {
-        Long squares = 0;
-        for (const LongVector &column : columns) {
-            for (const Long &number : column) {
-                squares += number * number;
-            }
-        }
-        return sqrt(squares);
-    }
-};
 
 double frobenius(const glm::dmat3 &m)
 {
@@ -88,43 +47,6 @@ std::string randomMaps(std::mt19937_64 &random, int levels, double close)
     }
     return text + "z<x>. [#, " + names + "] x\n<$>. z " + std::to_string(levels) + "\n";
 }
-
-std::shared_ptr<const Model> randomModel(const std::string &maps)
-{
-    const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
-    const FractalDescription description = readFdo(maps).description.value();
-    return modelOf(FractalGraph::build(description, boundingSphere(mesh)).value(), mesh);
-}
-
-/// Nodes of surroundings as the world has them.
-class WorldNodes
-{
-public:
-    explicit WorldNodes(const Surroundings &all)
-        : m_all(all)
-    {
-        m_along.push_back(LongMap().then(all.scene->items[all.pathItem].worldFromModel));
-        for (const Step &step : all.path) {
-            m_along.push_back(after(m_along.back(), all.pathItem, step));
-        }
-    }
-
-    [[nodiscard]] LongMap operator()(const Surroundings::Node &node) const
-    {
-        const LongMap map = node.item == m_all.pathItem ? m_along[node.sharedSteps]
-                                                        : LongMap().then(m_all.scene->items[node.item].worldFromModel);
-        return node.step ? after(map, node.item, *node.step) : map;
-    }
-
-private:
-    [[nodiscard]] LongMap after(const LongMap &map, std::size_t item, const Step &step) const
-    {
-        return map.then(m_all.scene->items[item].model->graph.set(step.set).maps[step.map]);
-    }
-
-    const Surroundings &m_all;
-    std::vector<LongMap> m_along;
-};
 
 void enterAtRandom(Anchor &anchor, std::mt19937_64 &random, std::size_t levels, std::uint32_t maps)
 {
@@ -170,7 +92,7 @@ void TestAnchor::nodesStandWhereTheirMapsSay()
     std::mt19937_64 random(7);
     double worst = 0;
     for (int round = 0; round < (levels == 1000 ? 1 : 5); ++round) {
-        const auto model = randomModel(randomMaps(random, 1200, close));
+        const auto model = modelOf(randomMaps(random, 1200, close));
         const auto scene =
             sceneOf({{.model = model, .worldFromModel = randomPlace(random)},
                      {.model = model, .worldFromModel = mapFromParts({3, 1, 2}, {10, 20, 30}, {-1, 2, 1.5})},
@@ -182,17 +104,17 @@ void TestAnchor::nodesStandWhereTheirMapsSay()
 
         const auto seen = anchor.surroundings();
         const auto own = std::ranges::find_if(seen->nodes, [&](const Surroundings::Node &node) {
-            return node.sharedSteps == seen->path.size() && node.item == seen->pathItem && !node.step
+            return node.sharedSteps == seen->path.size() && node.item == seen->pathItem && node.steps.empty()
                 && !node.isMeshOnly;
         });
         QVERIFY(own != seen->nodes.end());
         const WorldNodes worldFrom(*seen);
-        const LongMap here = worldFrom(*own);
+        const OracleMap here = worldFrom(*own);
         const Long unit = here.size() / frobenius(own->hereFromNode.linear);
         QVERIFY(std::abs(static_cast<double>(log2(unit)) - seen->unitExponent) < 1e-9);
         QVERIFY(levels < 20 || close < 1 || seen->nodes.size() > 40);
         for (const Surroundings::Node &node : seen->nodes) {
-            const LongMap map = worldFrom(node);
+            const OracleMap map = worldFrom(node);
             const double size = std::max(1.0, frobenius(node.hereFromNode.linear));
             // a step of the path may be as large as ten of these
             const double rounding = 1e-14 * 10 * size + 1e-15 * glm::length(node.hereFromNode.translation);
@@ -328,7 +250,7 @@ void TestAnchor::placesAreTheSmallestNearby()
     for (int round = 0; round < 60; ++round) {
         const std::string maps = randomMaps(random, 4, 1);
         const auto scene = sceneOf(
-            {{.model = randomModel(maps), .worldFromModel = mapFromParts({1, 2, 3}, {10, 20, 30}, glm::dvec3(1.5))}});
+            {{.model = modelOf(maps), .worldFromModel = mapFromParts({1, 2, 3}, {10, 20, 30}, glm::dvec3(1.5))}});
         for (int i = 0; i < 10; ++i) {
             Anchor anchor(scene);
             if (i % 2) {
@@ -361,7 +283,7 @@ void TestAnchor::placesAreTheSmallestNearby()
                 smallestCount += own != holding.end() && 0.6 * own->size <= least ? 1 : 0;
             }
             // less deep, as far as it goes
-            const auto shallow = sceneOf({{.model = randomModel(maps.substr(0, maps.rfind(' ')) + " 1\n"),
+            const auto shallow = sceneOf({{.model = modelOf(maps.substr(0, maps.rfind(' ')) + " 1\n"),
                                            .worldFromModel = scene->items[0].worldFromModel}});
             for (const Anchor::Move &move : anchor.moveTo(shallow)) {
                 p = move(p);

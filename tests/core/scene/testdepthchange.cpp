@@ -32,6 +32,9 @@ private Q_SLOTS:
     void textsWithoutADepthStayAsTheyAre_data();
     void textsWithoutADepthStayAsTheyAre();
     void fractalsOfAScenePassThroughIt();
+    void otherFilesPassAsTheyAre();
+    void allOfASceneMustConverge();
+    void shallowFractalsConverge();
     void whatShrinksConverges_data();
     void whatShrinksConverges();
 };
@@ -78,6 +81,38 @@ void TestDepthChange::fractalsOfAScenePassThroughIt()
     QVERIFY(isConvergent(*result.scene));
     QVERIFY(!change.isInVain());
     QVERIFY(change.check("mesh.obj") && !change.check("other.obj"));
+}
+
+void TestDepthChange::otherFilesPassAsTheyAre()
+{
+    const std::string text = fractal("s 0.5 0.5 0.5");
+    const TableFiles files({{"f.fdo", text}, {"f.txt", text}});
+    const DepthChange change(files, "77");
+    QVERIFY(change.read("f.txt") == text);
+    QVERIFY(change.isInVain());
+    QVERIFY(change.read("f.fdo") == change.changed(text) && change.read("f.fdo") != text);
+}
+
+void TestDepthChange::allOfASceneMustConverge()
+{
+    const TableFiles files(
+        {{"mesh.obj", triangleObj}, {"good.fdo", fractal("s 0.5 0.5 0.5")}, {"bad.fdo", fractal("s 1 0.5 0.5")}});
+    const DepthChange change(files, "100000");
+    for (const char *text : {"f \"good.fdo\" #\nf \"bad.fdo\" #\n", "f \"bad.fdo\" #\nf \"good.fdo\" #\n"}) {
+        const SceneResult result = SceneLoader(change).load("s.sdo", text);
+        QVERIFY(result.scene && result.scene->items.size() == 2);
+        QVERIFY(!isConvergent(*result.scene));
+    }
+}
+
+/// Nothing repeats so often that it would have to.
+void TestDepthChange::shallowFractalsConverge()
+{
+    const TableFiles files({{"mesh.obj", triangleObj}});
+    for (const std::string &text : {fractal("s 0.5 0.5 0.5"), std::string("<$>. \"mesh.obj\"\n")}) {
+        const SceneResult result = SceneLoader(files).load("f.fdo", text);
+        QVERIFY(result.scene && isConvergent(*result.scene));
+    }
 }
 
 void TestDepthChange::whatShrinksConverges_data()

@@ -265,7 +265,7 @@ void TestDynamicFractal::fractalsStandWhereTheDissertationSays()
             QVERIFY2(
                 off <= 1e-12,
                 qPrintable(QStringLiteral("camera %1, trail %2, depth %3: %4").arg(i).arg(trail).arg(depth).arg(off)));
-            QVERIFY(node.state == Positions{0} && !node.step && !node.isMeshOnly && node.sharedSteps == 0);
+            QVERIFY(node.state == Positions{0} && node.steps.empty() && !node.isMeshOnly && node.sharedSteps == 0);
             QVERIFY(seen->path.empty() && seen->origin == glm::dvec3(0.0) && seen->unitExponent == 0.0);
         }
     }

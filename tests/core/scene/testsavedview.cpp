@@ -85,6 +85,11 @@ void TestSavedView::repetitionsAreWrittenOnce()
     view.place->steps.assign(100'000, {0, 7});
     view.place->steps.push_back({3, 1});
     QCOMPARE(viewLine(view), "# view: endless, in 2: 0.7*100000 3.1 at (1, 2, -9) (0, 0.5, 0) 60 perspective");
+    // As deep as a view may be, and one step more.
+    QVERIFY(!findView(viewLine(view)));
+    view.place->steps.pop_back();
+    const auto deepest = findView(viewLine(view));
+    QVERIFY(deepest && isSame(deepest->first, view));
 }
 
 void TestSavedView::viewsAreFoundInTexts()
@@ -107,6 +112,8 @@ void TestSavedView::otherCommentsAreNoViews_data()
         "# view (1, 2, 3) # 40",
         " # view: (1, 2, 3) # 40",
         "# view: (1, 2, 3) # 40 and more",
+        "# view: (1, 2, 3) # 40 # mine",
+        "# view: (1, 2, 3) # 40 ",
         "# view: (1, 2) # 40",
         "# view: (1, 2, 3) # 180",
         "# view: endless (1, 2, 3) # 40",

@@ -66,9 +66,7 @@ std::vector<Step> stepsTo(const Surroundings &from, const RayHit &hit)
     const Surroundings::Node &root = from.nodes.at(hit.root);
     const auto shared = from.path.begin() + static_cast<std::ptrdiff_t>(root.sharedSteps);
     std::vector<Step> steps(from.path.begin(), shared);
-    if (root.step) {
-        steps.push_back(*root.step);
-    }
+    steps.insert(steps.end(), root.steps.begin(), root.steps.end());
     steps.insert(steps.end(), hit.choices.begin(), hit.choices.end());
     return steps;
 }

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+
+class QAction;
+class QWidget;
+
+namespace romanesco {
+
+/// An action of a window, whose tool tip tells its key. text is as in a menu.
+[[nodiscard]] QAction *makeAction(QWidget &owner, const QString &text, const QKeySequence &key = {});
+
+}
