@@ -284,7 +284,9 @@ void ExportDialog::showEstimate()
 
 void ExportDialog::start()
 {
-    if (!isEstimated()) {
+    std::error_code ignored;
+    const bool isNewlyThere = !m_estimate.isReplacing && std::filesystem::exists(nativePath(path()), ignored);
+    if (!isEstimated() || isNewlyThere) {
         m_isStartWanted = true;
         postEstimate();
         return;

@@ -4,7 +4,6 @@
 
 #include <QCloseEvent>
 #include <QDir>
-#include <QDockWidget>
 #include <QFileDialog>
 #include <QMenu>
 #include <QMenuBar>
@@ -14,7 +13,8 @@
 #include <QTextBlock>
 #include <QToolBar>
 
-#include "addresspane.h"
+#include "addresslink.h"
+#include "core/text/linemap.h"
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
 #include "exportdialog.h"
@@ -47,12 +47,8 @@ MainWindow::MainWindow(QWidget *parent)
     , m_tabs(new TextTabs)
     , m_pane(new ViewportPane)
     , m_viewport(m_pane->viewport())
-    , m_problems(new ProblemsView)
-    , m_problemsDock(new QDockWidget(tr("Problems"), this))
-    , m_address(new AddressPane)
-    , m_addressDock(new QDockWidget(tr("Address"), this))
-    , m_parameters(new ParametersPane)
-    , m_parametersDock(new QDockWidget(tr("Parameters"), this))
+    , m_panels(*this)
+    , m_addressLink(new AddressLink(m_panels.address(), m_viewport, this))
     , m_splitter(new QSplitter)
     , m_depthControl(new DepthControl(tr("Depth")))
     , m_status(new StatusLine)
@@ -88,18 +84,6 @@ void MainWindow::layOut()
     // The picture takes what a larger window gives.
     m_splitter->setStretchFactor(1, 1);
     setCentralWidget(m_splitter);
-
-    m_problemsDock->setObjectName(QStringLiteral("problems"));
-    m_problemsDock->setWidget(m_problems);
-    addDockWidget(Qt::BottomDockWidgetArea, m_problemsDock);
-    m_addressDock->setObjectName(QStringLiteral("address"));
-    m_addressDock->setWidget(m_address);
-    addDockWidget(Qt::BottomDockWidgetArea, m_addressDock);
-    m_parametersDock->setObjectName(QStringLiteral("parameters"));
-    m_parametersDock->setWidget(m_parameters);
-    addDockWidget(Qt::BottomDockWidgetArea, m_parametersDock);
-    tabifyDockWidget(m_addressDock, m_parametersDock);
-    tabifyDockWidget(m_parametersDock, m_problemsDock);
     setStatusBar(m_status);
 }
 
@@ -127,9 +111,7 @@ void MainWindow::createMenus()
         connect(action, &QAction::triggered, this, [this, name] { openFile(TextTabs::examplesFolder + u'/' + name); });
     }
     connect(menus.recent, &QMenu::aboutToShow, this, [this, menu = menus.recent] { fillRecent(*menu); });
-    for (const QDockWidget *dock : {m_problemsDock, m_parametersDock, m_addressDock}) {
-        menus.window->addAction(dock->toggleViewAction());
-    }
+    m_panels.fill(*menus.window);
 }
 
 void MainWindow::fillRecent(QMenu &menu)
@@ -171,14 +153,10 @@ void MainWindow::connectFileActions()
 
 void MainWindow::connectPanels()
 {
-    connect(m_problems, &ProblemsView::chosen, this, &MainWindow::goTo);
-    connect(m_problems, &ProblemsView::chosenElsewhere, this, &MainWindow::goToFile);
-
-    connect(m_address, &AddressPane::chosen, this, &MainWindow::chooseStep);
-    connect(m_address, &AddressPane::zoomRequested, &m_viewport, &Viewport::zoomToSelection);
-    m_cursorRest.setSingleShot(true);
-    m_cursorRest.setInterval(150);
-    connect(&m_cursorRest, &QTimer::timeout, this, &MainWindow::showMapAtCursor);
+    connect(&m_panels.problems(), &ProblemsView::chosen, this, &MainWindow::goTo);
+    connect(&m_panels.problems(), &ProblemsView::chosenElsewhere, this, &MainWindow::goToFile);
+    connect(m_addressLink, &AddressLink::told, m_status,
+            [this](const QString &words) { m_status->showMessage(words); });
 
     connect(m_depthControl, &DepthControl::depthEdited, this, [this](quint64 depth) { tab().depth().setValue(depth); });
     connect(m_depthControl, &DepthControl::dragBegan, this, [this] { tab().depth().beginGesture(); });
@@ -191,8 +169,9 @@ void MainWindow::connectPanels()
 void MainWindow::connectViewActions()
 {
     connectViewControls(m_actions, m_viewport);
-    connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) { tab().setEndless(isEndless); });
-    connect(m_actions.rebuild, &QAction::triggered, this, [this] { tab().rebuild(); });
+    connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) { seen().setEndless(isEndless); });
+    connect(m_actions.pin, &QAction::toggled, m_tabs, &TextTabs::setPinned);
+    connect(m_actions.rebuild, &QAction::triggered, this, &MainWindow::rebuild);
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
@@ -200,7 +179,6 @@ void MainWindow::connectViewActions()
 
 void MainWindow::connectViewport()
 {
-    connect(&m_viewport, &Viewport::clicked, this, &MainWindow::showAddress);
     connect(&m_viewport, &Viewport::pictureAdvanced, m_status, &StatusLine::setDrawn);
     connect(&m_viewport, &Viewport::ready, this, [this](const QString &system) { m_graphicsSystem = system; });
     connect(&m_viewport, &Viewport::pictureFailed, this, [this](const QString &reason) {
@@ -217,10 +195,9 @@ void MainWindow::restoreLayout()
     const WindowState state;
     if (!restoreGeometry(state.value("geometry").toByteArray())) {
         resize(1280, 800);
+        m_panels.layOut(); // of the height that there is now
     }
-    if (!restoreState(state.value("docks").toByteArray())) {
-        resizeDocks({m_problemsDock}, {120}, Qt::Vertical);
-    }
+    restoreState(state.value("docks").toByteArray());
     if (!m_splitter->restoreState(state.value("splitter").toByteArray())) {
         m_splitter->setSizes({500, 780});
     }
@@ -345,153 +322,129 @@ void MainWindow::dropEvent(QDropEvent *event)
 
 void MainWindow::takeTab()
 {
-    if (m_tab && m_viewport.isViewStarted()) {
-        m_tab->view = m_viewport.view();
+    TextTab *const before = std::exchange(m_seen, &m_tabs->seen());
+    if (before != m_seen && before && m_viewport.isViewStarted()) {
+        before->view = m_viewport.view();
     }
     m_tab = &m_tabs->current();
     m_whileLooked = std::make_unique<QObject>();
-    connectTab(*m_tab);
+    connectText(*m_tab);
+    if (before != m_seen) {
+        m_whileSeen = std::make_unique<QObject>();
+        connectPicture(*m_seen);
+        showScene();
+    }
+    m_addressLink->follow(*m_seen, m_seen == m_tab);
     showText();
 }
 
-void MainWindow::connectTab(TextTab &tab)
+void MainWindow::connectText(TextTab &tab)
 {
     QObject *looked = m_whileLooked.get();
     connect(&tab, &TextTab::restarted, looked, [this] { showText(); });
-    connect(&tab, &TextTab::previewed, looked, [this] { showPreview(); });
-    connect(&tab, &TextTab::counted, looked, [this] { m_status->setSummary(m_tab->summary()); });
-    const FdoEditor &editor = tab.editor();
-    connect(&editor, &QPlainTextEdit::cursorPositionChanged, looked, [this] {
-        showCursorPlace();
-        m_cursorRest.start();
+    connect(&tab, &TextTab::previewed, looked, [this] {
+        showProblems();
+        showDepth();
     });
-    connect(&editor, &FdoEditor::openFileRequested, looked, [this](const QString &path) { openBeside(path); });
+    connect(&tab.editor(), &QPlainTextEdit::cursorPositionChanged, looked, [this] { showCursorPlace(); });
+    connect(&tab.editor(), &FdoEditor::openFileRequested, looked, [this](const QString &path) { openBeside(path); });
     m_textActions.follow(tab.editor(), tab.findBar());
-    m_parameters->follow(tab.editor());
+    m_panels.parameters().follow(tab.editor());
     connect(&tab.document(), &Document::fileStateChanged, looked, [this] {
         m_textActions.update();
         showDepth();
     });
 }
 
-/// All of it.
+void MainWindow::connectPicture(TextTab &tab)
+{
+    QObject *seen = m_whileSeen.get();
+    connect(&tab, &TextTab::restarted, seen, [this] { showScene(); });
+    connect(&tab, &TextTab::previewed, seen, [this] { showPreview(); });
+    connect(&tab, &TextTab::counted, seen, [this] { m_status->setSummary(m_seen->summary()); });
+}
+
+/// All that is of the text.
 void MainWindow::showText()
 {
-    m_viewport.startScene(tab().shown(), tab().view);
-    m_status->setSummary(tab().summary());
-    m_status->clearDrawn();
     m_status->clearMessage();
-    m_steps.clear();
-    m_address->setSteps({});
-    m_cursorRest.start();
-    {
-        const QSignalBlocker blocker(m_actions.endless);
-        m_actions.endless->setChecked(tab().isEndless());
-    }
     showProblems();
     showDepth();
     showTrouble();
     showCursorPlace();
     showTitle();
+    const QSignalBlocker blocker(m_actions.pin);
+    m_actions.pin->setChecked(m_tabs->isPinned());
+}
+
+/// All that is of the picture.
+void MainWindow::showScene()
+{
+    m_viewport.startScene(seen().shown(), seen().view);
+    m_status->setSummary(seen().summary());
+    m_status->clearDrawn();
+    m_addressLink->clear();
+    showEndless();
+    showTrouble();
 }
 
 void MainWindow::showPreview()
 {
-    showProblems();
-    const QSignalBlocker blocker(m_actions.endless);
-    m_actions.endless->setChecked(tab().isEndless());
-    m_viewport.setScene(tab().shown());
-    if (!m_viewport.appearance().colours.selection) {
-        m_steps.clear();
-        m_address->setSteps({});
-    }
-    m_cursorRest.start();
-    showDepth();
+    showEndless();
+    m_viewport.setScene(seen().shown());
+    m_addressLink->update();
     showTrouble();
+}
+
+void MainWindow::showEndless()
+{
+    const QSignalBlocker blocker(m_actions.endless);
+    m_actions.endless->setChecked(seen().isEndless());
 }
 
 void MainWindow::showProblems()
 {
-    const Preview &preview = tab().preview();
-    m_problems->setDiagnostics(tab().document().name(), preview.diagnostics, preview.text);
-    const QString counts = m_problems->counts();
-    m_problemsDock->setWindowTitle(counts.isEmpty() ? tr("Problems") : tr("Problems — %1").arg(counts));
-    m_problemsDock->toggleViewAction()->setText(tr("Problems"));
+    m_panels.showProblems(tab().document().name(), tab().preview());
 }
 
-/// Of the copy that stands out.
-void MainWindow::showAddress()
+/// What is looked at and what is seen.
+void MainWindow::rebuild()
 {
-    const std::optional<Selection> &selection = m_viewport.appearance().colours.selection;
-    const auto &surroundings = m_viewport.view().surroundings();
-    m_steps.clear();
-    m_selectedSteps.clear();
-    if (selection && surroundings) {
-        m_steps = addressSteps(*surroundings->scene, *selection, tab().preview().reading.get(),
-                               tab().document().text().bytes());
-        m_selectedSteps = selection->steps;
+    tab().rebuild();
+    if (m_seen != m_tab) {
+        seen().rebuild();
     }
-    m_address->setSteps(m_steps);
-    m_status->showMessage(addressWords(m_steps));
-}
-
-/// So many of the steps of the address: their words in the text, and what they lead to in the picture.
-void MainWindow::chooseStep(std::size_t count)
-{
-    std::optional<Selection> selection = m_viewport.appearance().colours.selection;
-    if (!selection || count > m_steps.size() || count > m_selectedSteps.size()) {
-        return;
-    }
-    selection->steps.assign(m_selectedSteps.begin(), m_selectedSteps.begin() + static_cast<std::ptrdiff_t>(count));
-    m_viewport.select(selection);
-    if (const std::optional<SourceRange> use = m_steps[count - 1].use) {
-        tab().editor().select(*use, tab().document().text());
-        // Here one way is looked at, not all that the words have made.
-        m_cursorRest.stop();
-        m_viewport.selectMap(std::nullopt);
-    }
-}
-
-/// What a use in the text has made stands out while the cursor is there.
-void MainWindow::showMapAtCursor()
-{
-    const Preview &preview = tab().preview();
-    const TextSnapshot &text = tab().document().text();
-    std::optional<Step> map;
-    // Of a text that is not built yet, places mean nothing.
-    if (preview.reading && preview.text.bytes() == text.bytes()) {
-        map = mapAt(*preview.reading, text.bytes(), text.offset(tab().editor().textCursor().position()));
-    }
-    m_viewport.selectMap(map);
 }
 
 /// As a line of the text.
 void MainWindow::saveView()
 {
-    const SceneView &seen = m_viewport.view();
-    FdoEditor &editor = tab().editor();
-    if (editor.isReadOnly() || !seen.surroundings()) {
+    FdoEditor &editor = seen().editor();
+    if (editor.isReadOnly() || !m_viewport.view().surroundings()) {
         return;
     }
-    SavedView view = seen.saved();
-    view.isEndless = tab().isShownEndless();
+    m_tabs->setCurrentWidget(m_seen);
+    SavedView view = m_viewport.view().saved();
+    view.isEndless = seen().isShownEndless();
     const TextSnapshot text = editor.snapshot();
-    const bool isSdo = fileKind(tab().document().scenePath()) == FileKind::Sdo;
-    editor.apply(editsToSave(view, writtenOf(seen.cameraInWorld()), text.bytes(), isSdo), text);
+    const bool isSdo = fileKind(seen().document().scenePath()) == FileKind::Sdo;
+    editor.apply(editsToSave(view, writtenOf(m_viewport.view().cameraInWorld()), text.bytes(), isSdo), text);
 }
 
 void MainWindow::showTrouble()
 {
     MessageStrip &strip = m_pane->strip();
-    const TextTab::Trouble &trouble = tab().trouble();
+    const TextTab::Trouble &trouble = seen().trouble();
     if (trouble.isOfText) {
         strip.say(
-            (tab().shown() ? tr("Showing the last good version — %1") : tr("No picture yet — %1")).arg(trouble.words),
+            (seen().shown() ? tr("Showing the last good version — %1") : tr("No picture yet — %1")).arg(trouble.words),
             true);
     } else if (!m_pictureTrouble.isEmpty()) {
         strip.say(m_pictureTrouble);
     } else if (!trouble.words.isEmpty()) {
         strip.say(trouble.words);
+    } else if (m_tabs->isPinned()) {
+        strip.say(tr("The picture stays with “%1”. Click here to let it go.").arg(seen().document().name()), true);
     } else {
         strip.fallSilent();
     }
@@ -499,9 +452,12 @@ void MainWindow::showTrouble()
 
 void MainWindow::followTrouble()
 {
-    const TextTab::Trouble &trouble = tab().trouble();
+    const TextTab::Trouble trouble = seen().trouble();
     if (trouble.isOfText) {
+        m_tabs->setCurrentWidget(m_seen);
         goTo(trouble.place, trouble.text);
+    } else if (m_tabs->isPinned()) {
+        m_actions.pin->setChecked(false);
     }
 }
 
@@ -509,7 +465,7 @@ void MainWindow::showDepth()
 {
     const std::optional<quint64> depth = tab().depth().value();
     m_depthControl->setDepth(tab().editor().isReadOnly() ? std::nullopt : depth);
-    m_parameters->update();
+    m_panels.parameters().update();
     m_status->setDepth(depth);
 }
 

@@ -5,28 +5,24 @@
 #include <memory>
 
 #include <QMainWindow>
-#include <QTimer>
 
 #include "backgroundtask.h"
-#include "core/text/linemap.h"
 #include "core/text/sourcerange.h"
+#include "core/text/textposition.h"
 #include "editor/textsnapshot.h"
-#include "fdoreading.h"
+#include "panels.h"
 #include "picture.h"
 #include "recovery.h"
 #include "resourcefiles.h"
 #include "textactions.h"
 #include "windowactions.h"
 
-class QDockWidget;
 class QSplitter;
 
 namespace romanesco {
 
-class AddressPane;
+class AddressLink;
 class DepthControl;
-class ParametersPane;
-class ProblemsView;
 class StatusLine;
 class TextTab;
 class TextTabs;
@@ -75,35 +71,34 @@ private:
     void exportMesh();
 
     void takeTab();
-    void connectTab(TextTab &tab);
+    void connectText(TextTab &tab);
+    void connectPicture(TextTab &tab);
     void showText();
+    void showScene();
     void showPreview();
+    void showEndless();
     void showProblems();
     void showTrouble();
     void followTrouble();
     void showCursorPlace();
     void showDepth();
     void showTitle();
-    void showAddress();
-    void chooseStep(std::size_t count);
-    void showMapAtCursor();
+    void rebuild();
     void saveView();
     void goTo(SourceRange range, const TextSnapshot &text);
     bool openBeside(const QString &file);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
     void showAbout();
+    /// The one that is looked at, and the one whose picture is.
     [[nodiscard]] TextTab &tab() const { return *m_tab; }
+    [[nodiscard]] TextTab &seen() const { return *m_seen; }
 
     TextTabs *m_tabs;
     ViewportPane *m_pane;
     Viewport &m_viewport;
-    ProblemsView *m_problems;
-    QDockWidget *m_problemsDock;
-    AddressPane *m_address;
-    QDockWidget *m_addressDock;
-    ParametersPane *m_parameters;
-    QDockWidget *m_parametersDock;
+    Panels m_panels;
+    AddressLink *m_addressLink;
     QSplitter *m_splitter;
     DepthControl *m_depthControl;
     StatusLine *m_status;
@@ -112,15 +107,11 @@ private:
     PictureActions m_pictureActions;
     ResourceFiles m_files;
 
-    /// The one that is looked at.
     TextTab *m_tab = nullptr;
-    /// Lives as long as the tab is looked at, for what is connected to it.
+    TextTab *m_seen = nullptr;
+    /// Live as long as these are looked at, for what is connected to them.
     std::unique_ptr<QObject> m_whileLooked;
-    /// Of the copy that stands out.
-    std::vector<AddressStep> m_steps;
-    std::vector<Step> m_selectedSteps;
-    /// The cursor rests.
-    QTimer m_cursorRest;
+    std::unique_ptr<QObject> m_whileSeen;
     QString m_pictureTrouble;
     QString m_graphicsSystem;
 

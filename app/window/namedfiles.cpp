@@ -10,6 +10,11 @@
 
 namespace romanesco {
 
+QString wholePath(const std::filesystem::path &path)
+{
+    return QDir::cleanPath(QFileInfo(QFile::decodeName(path.c_str())).absoluteFilePath());
+}
+
 std::expected<std::string, std::string> NamedFiles::read(const std::filesystem::path &path) const
 {
     note(path);
@@ -31,7 +36,7 @@ QStringList NamedFiles::take() const
 void NamedFiles::note(const std::filesystem::path &path) const
 {
     if (!path.native().starts_with(":/")) {
-        m_asked << QDir::cleanPath(QFileInfo(QFile::decodeName(path.c_str())).absoluteFilePath());
+        m_asked << wholePath(path);
     }
 }
 

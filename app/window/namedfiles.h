@@ -8,6 +8,9 @@
 
 namespace romanesco {
 
+/// Absolute, without detours.
+[[nodiscard]] QString wholePath(const std::filesystem::path &path);
+
 /// Remembers which files of the disk somebody asks for, whether they are there or not. One thread.
 class NamedFiles final : public FileAccess
 {

@@ -13,10 +13,9 @@
 
 namespace romanesco {
 
-PreviewController::PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent)
+PreviewController::PreviewController(const FileAccess &files, QObject *parent)
     : QObject(parent)
-    , m_files(std::move(files))
-    , m_named(*m_files)
+    , m_named(files)
     , m_loader(m_named, decodeImage)
     , m_endlessFiles(m_named, DepthChange::endless)
     , m_endlessLoader(m_endlessFiles, decodeImage)

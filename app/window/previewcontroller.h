@@ -43,8 +43,8 @@ class PreviewController : public QObject
 {
     Q_OBJECT
 public:
-    /// files may be called from other threads.
-    explicit PreviewController(std::unique_ptr<const FileAccess> files, QObject *parent = nullptr);
+    /// files must outlive it, and may be called from other threads.
+    explicit PreviewController(const FileAccess &files, QObject *parent = nullptr);
     /// Waits for what is under way, which has been asked to stop.
     ~PreviewController() override;
 
@@ -80,7 +80,6 @@ private:
     void runCount(const CountJob &scene, const std::stop_token &stop);
     void deliver(const Preview &preview);
 
-    std::unique_ptr<const FileAccess> m_files;
     NamedFiles m_named;
     SceneLoader m_loader;
     DepthChange m_endlessFiles;

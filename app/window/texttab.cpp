@@ -18,7 +18,7 @@
 
 namespace romanesco {
 
-TextTab::TextTab(JournalSession &journals, FileWatch &watch, QWidget *parent)
+TextTab::TextTab(JournalSession &journals, FileWatch &watch, const FileAccess &files, QWidget *parent)
     : QWidget(parent)
     , m_editor(new FdoEditor)
     , m_strip(new MessageStrip(MessageStrip::Closing::ByUser))
@@ -27,7 +27,7 @@ TextTab::TextTab(JournalSession &journals, FileWatch &watch, QWidget *parent)
     , m_journal(m_document, journals)
     , m_watch(watch)
     , m_depth(*m_editor)
-    , m_preview(std::make_unique<ResourceFiles>())
+    , m_preview(files)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

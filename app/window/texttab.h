@@ -26,8 +26,8 @@ class TextTab : public QWidget
 {
     Q_OBJECT
 public:
-    /// Both must outlive it.
-    TextTab(JournalSession &journals, FileWatch &watch, QWidget *parent = nullptr);
+    /// All must outlive it; scenes are made of files.
+    TextTab(JournalSession &journals, FileWatch &watch, const FileAccess &files, QWidget *parent = nullptr);
     ~TextTab() override;
 
     [[nodiscard]] FdoEditor &editor() { return *m_editor; }

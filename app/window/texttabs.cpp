@@ -74,22 +74,37 @@ TextTab &TextTabs::tab(int index) const
 
 TextTab &TextTabs::addText()
 {
-    auto *tab = new TextTab(m_journals, m_watch);
+    auto *tab = new TextTab(m_journals, m_watch, m_unsaved);
     addTab(tab, tab->document().name());
     connect(&tab->document(), &Document::nameChanged, this, [this, tab] { updateName(*tab); });
     connect(&tab->document(), &Document::modifiedChanged, this, [this, tab] { updateName(*tab); });
+    for (const auto change : {&Document::nameChanged, &Document::textChanged}) {
+        connect(&tab->document(), change, this, [this, tab] { updateUnsaved(*tab); });
+    }
+    connect(&tab->document(), &Document::modifiedChanged, this, [this, tab] { updateUnsaved(*tab); });
     connect(tab, &TextTab::saved, this, [this, tab](const QString &path) {
         addRecent(path);
-        for (int i = 0; i < count(); ++i) {
-            // Nobody else tells of what is written here.
-            if (widget(i) != tab) {
-                this->tab(i).takeChanges({path});
-            }
-        }
+        tellOthers(tab, {path}); // nobody else tells of what is written here
         Q_EMIT saved(path);
     });
     updateName(*tab);
     return *tab;
+}
+
+void TextTabs::tellOthers(const TextTab *tab, const QStringList &changed)
+{
+    for (int i = 0; i < count() && !changed.isEmpty(); ++i) {
+        if (widget(i) != tab) {
+            this->tab(i).takeChanges(changed);
+        }
+    }
+}
+
+void TextTabs::updateUnsaved(const TextTab &tab)
+{
+    const Document &document = tab.document();
+    const bool isAhead = document.isModified() && document.hasOwnFile();
+    tellOthers(&tab, m_unsaved.set(&tab, isAhead ? document.path() : QString(), document.text()));
 }
 
 void TextTabs::updateName(const TextTab &tab)
@@ -110,12 +125,32 @@ void TextTabs::updateCurrent()
     if (count() == 0) {
         return; // while it is built or taken apart
     }
-    if (m_watched != &current() && m_watched && indexOf(m_watched) >= 0) {
-        m_watched->setWatched(false);
-    }
-    m_watched = &current();
     Q_EMIT currentTabChanged();
-    m_watched->setWatched(true);
+    for (int i = 0; i < count(); ++i) {
+        tab(i).setWatched(&tab(i) == &current() || &tab(i) == m_pinned);
+    }
+}
+
+void TextTabs::setPinned(bool isPinned)
+{
+    m_pinned = isPinned ? &current() : nullptr;
+    updateCurrent();
+}
+
+TextTab &TextTabs::seen() const
+{
+    return m_pinned ? *m_pinned : current();
+}
+
+/// What it had to say is no more.
+void TextTabs::remove(TextTab &tab)
+{
+    if (m_pinned == &tab) {
+        setPinned(false);
+    }
+    removeTab(indexOf(&tab));
+    tellOthers(&tab, m_unsaved.set(&tab, {}, {}));
+    tab.deleteLater();
 }
 
 int TextTabs::indexOfFile(const QString &path) const
@@ -147,8 +182,7 @@ bool TextTabs::openFile(const QString &path)
         TextTab &made = addText();
         if (!made.open(whole)) {
             before.strip().say(made.strip().text());
-            removeTab(indexOf(&made));
-            made.deleteLater();
+            remove(made);
             return false;
         }
         setCurrentWidget(&made);
@@ -264,8 +298,7 @@ bool TextTabs::closeTab(int index)
     if (count() == 1) {
         closing.document().startNew();
     } else {
-        removeTab(index);
-        closing.deleteLater();
+        remove(closing);
     }
     return true;
 }

@@ -6,6 +6,8 @@
 
 #include "filewatch.h"
 #include "journal.h"
+#include "resourcefiles.h"
+#include "unsavedtexts.h"
 
 namespace romanesco {
 
@@ -40,6 +42,13 @@ public:
     /// Whether they may all; where one may not, none is closed.
     [[nodiscard]] bool mayCloseAll();
     void goToNext(int step);
+
+    /// The picture stays with the current text while others are looked at, or no more.
+    void setPinned(bool isPinned);
+    /// The one whose picture is seen.
+    [[nodiscard]] TextTab &seen() const;
+    [[nodiscard]] bool isPinned() const { return m_pinned; }
+
     /// Looks whether other programs have changed something, where no system tells.
     void lookForChanges() { m_watch.checkNow(); }
 
@@ -53,7 +62,7 @@ public:
     static const QString examplesFolder;
 
 Q_SIGNALS:
-    /// Another one is looked at.
+    /// Another one is looked at, or seen.
     void currentTabChanged();
     /// Its name, or whether it is modified.
     void currentNamed();
@@ -65,14 +74,19 @@ private:
     [[nodiscard]] bool isFree(const QString &path);
     void updateName(const TextTab &tab);
     void updateCurrent();
+    void updateUnsaved(const TextTab &tab);
+    void tellOthers(const TextTab *tab, const QStringList &changed);
+    void remove(TextTab &tab);
     [[nodiscard]] bool mayDrop(TextTab &tab);
     [[nodiscard]] bool saveNow(TextTab &tab);
     [[nodiscard]] int indexOfFile(const QString &path) const;
 
     FileWatch m_watch;
     JournalSession m_journals;
-    /// The one that is built.
-    TextTab *m_watched = nullptr;
+    ResourceFiles m_files;
+    UnsavedTexts m_unsaved{m_files};
+    /// Null where the picture is that of the current one.
+    TextTab *m_pinned = nullptr;
 };
 
 }

@@ -43,6 +43,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , top(makeFor(viewport, tr("&Top"), Qt::Key_7))
     , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
     , endless(makeFor(viewport, tr("&Endless"), Qt::Key_E))
+    , pin(makeAction(window, tr("&Pin Picture"), Qt::CTRL | Qt::SHIFT | Qt::Key_I))
     , saveView(makeAction(window, tr("Sa&ve View in Text")))
     , rebuild(makeAction(window, tr("Re&build"), Qt::Key_F5))
     , trail(new QActionGroup(&window))
@@ -77,6 +78,8 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     trail->actions().first()->setChecked(true);
     orthographic->setCheckable(true);
     endless->setCheckable(true);
+    pin->setCheckable(true);
+    pin->setStatusTip(tr("The picture stays that of this text while you edit others"));
     endless->setStatusTip(tr("Detail wherever the view leads, as if the depth had no end"));
     orthographic->setIconText(tr("Ortho"));
     fullScreen->setCheckable(true);
@@ -102,7 +105,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addSeparator();
     view->addActions({front, right, top, orthographic});
     view->addSeparator();
-    view->addActions({endless, saveView, rebuild});
+    view->addActions({endless, pin, saveView, rebuild});
     view->addMenu(tr("&Dissertation's Zoom"))->addActions(trail->actions());
     view->addSeparator();
     view->addMenu(tr("&Colour By"))->addActions(colouring->actions());

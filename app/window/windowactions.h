@@ -55,6 +55,7 @@ public:
     QAction *top;
     QAction *orthographic;
     QAction *endless;
+    QAction *pin;
     QAction *saveView;
     QAction *rebuild;
     /// One of them is checked; its data is a number of levels, or none where it is off.

@@ -401,8 +401,13 @@ void TestExportDialog::cancellingLeavesNoFile()
 void TestExportDialog::cancellingLeavesTheOldFile()
 {
     Sample sample(22);
-    std::ignore = sample.folders.write(QStringLiteral("out.obj"), "old");
     QVERIFY(sample.waitForEstimate());
+    std::ignore = sample.folders.write(QStringLiteral("out.obj"), "old");
+    // it was not there when the forecast was made, and nobody has been told
+    sample.button(QStringLiteral("Export")).click();
+    QVERIFY(!sample.dialog->isExporting());
+    QTRY_VERIFY(sample.words().contains(QStringLiteral("will be replaced")));
+    QVERIFY(!sample.dialog->isExporting());
     sample.button(QStringLiteral("Replace")).click();
     QVERIFY(sample.waitForBytes());
     sample.button(QStringLiteral("Cancel")).click();

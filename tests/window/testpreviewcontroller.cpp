@@ -60,10 +60,9 @@ private:
 
 struct Sample {
     explicit Sample(bool isGated = false)
+        : files(isGated)
     {
-        auto made = std::make_unique<const GatedFiles>(isGated);
-        files = made.get();
-        controller = std::make_unique<PreviewController>(std::move(made));
+        controller = std::make_unique<PreviewController>(files);
         QObject::connect(controller.get(), &PreviewController::built, controller.get(),
                          [this](const Preview &preview) { built.push_back(preview); });
         QObject::connect(controller.get(), &PreviewController::counted, controller.get(),
@@ -75,7 +74,7 @@ struct Sample {
         return QTest::qWaitFor([&] { return built.size() >= count; }, 20'000);
     }
 
-    const GatedFiles *files = nullptr;
+    const GatedFiles files;
     std::vector<Preview> built;
     std::vector<Summary> counted;
     std::unique_ptr<PreviewController> controller;
@@ -124,17 +123,17 @@ void TestPreviewController::theNewestTextWins()
 {
     Sample sample(true);
     sample.build(goodText(1));
-    sample.files->entered.acquire();
+    sample.files.entered.acquire();
     sample.build(goodText(2));
     const quint64 newest = sample.build(goodText(3));
-    sample.files->gate.release();
-    sample.files->entered.acquire();
-    sample.files->gate.release();
+    sample.files.gate.release();
+    sample.files.entered.acquire();
+    sample.files.gate.release();
 
     QVERIFY(sample.waitForBuilt(1));
     QCOMPARE(sample.built.front().revision, newest);
     QCOMPARE(sample.built.front().scene->depth->value, 3u);
-    QCOMPARE(sample.files->reads.load(), 2);
+    QCOMPARE(sample.files.reads.load(), 2);
     QCoreApplication::processEvents();
     QCOMPARE(sample.built.size(), 1u);
 }
@@ -181,12 +180,12 @@ void TestPreviewController::whatIsUnderWayIsForgottenToo()
 {
     Sample sample(true);
     sample.build(goodText(1));
-    sample.files->entered.acquire();
+    sample.files.entered.acquire();
     sample.controller->forget();
-    sample.files->gate.release();
+    sample.files.gate.release();
     const quint64 newest = sample.build(goodText(2));
-    sample.files->entered.acquire();
-    sample.files->gate.release();
+    sample.files.entered.acquire();
+    sample.files.gate.release();
     QVERIFY(sample.waitForBuilt(1));
     QCOMPARE(sample.built.size(), 1u);
     QCOMPARE(sample.built.front().revision, newest);
@@ -206,9 +205,9 @@ void TestPreviewController::destructionDoesNotWaitForTheGate()
 {
     Sample sample(true);
     sample.build(goodText(1));
-    sample.files->entered.acquire();
+    sample.files.entered.acquire();
     sample.build(goodText(2));
-    sample.files->gate.release();
+    sample.files.gate.release();
     sample.controller.reset();
     QVERIFY(sample.built.empty());
 }

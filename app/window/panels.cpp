@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "panels.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+
+#include "addresspane.h"
+#include "parameterspane.h"
+#include "previewcontroller.h"
+#include "problemsview.h"
+
+namespace romanesco {
+
+Panels::Panels(QMainWindow &window)
+    : m_window(window)
+    , m_problems(new ProblemsView)
+    , m_parameters(new ParametersPane)
+    , m_address(new AddressPane)
+    , m_problemsDock(add(m_problems, tr("Problems"), QStringLiteral("problems")))
+{
+    add(m_parameters, tr("Parameters"), QStringLiteral("parameters"));
+    add(m_address, tr("Address"), QStringLiteral("address"));
+    layOut();
+}
+
+QDockWidget *Panels::add(QWidget *panel, const QString &title, const QString &name)
+{
+    auto *dock = new QDockWidget(title, &m_window);
+    dock->setObjectName(name);
+    dock->setWidget(panel);
+    m_docks << dock;
+    return dock;
+}
+
+void Panels::fill(QMenu &window) const
+{
+    for (const QDockWidget *dock : m_docks) {
+        window.addAction(dock->toggleViewAction());
+    }
+}
+
+void Panels::layOut()
+{
+    for (QDockWidget *dock : m_docks) {
+        dock->setFloating(false);
+        m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
+        dock->show();
+        if (dock != m_problemsDock) {
+            m_window.tabifyDockWidget(m_problemsDock, dock);
+        }
+    }
+    m_problemsDock->raise();
+    m_window.resizeDocks({m_problemsDock}, {120}, Qt::Vertical);
+}
+
+void Panels::showProblems(const QString &file, const Preview &preview)
+{
+    m_problems->setDiagnostics(file, preview.diagnostics, preview.text);
+    const QString counts = m_problems->counts();
+    m_problemsDock->setWindowTitle(counts.isEmpty() ? tr("Problems") : tr("Problems — %1").arg(counts));
+    m_problemsDock->toggleViewAction()->setText(tr("Problems"));
+}
+
+}

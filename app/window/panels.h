@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <QCoreApplication>
+#include <QList>
+
+class QDockWidget;
+class QMainWindow;
+class QMenu;
+class QWidget;
+
+namespace romanesco {
+
+class AddressPane;
+class ParametersPane;
+class ProblemsView;
+struct Preview;
+
+/// The panels round text and picture, each in a dock that can float and be closed. Owned by the window.
+class Panels
+{
+    Q_DECLARE_TR_FUNCTIONS(Panels)
+public:
+    explicit Panels(QMainWindow &window);
+
+    [[nodiscard]] ProblemsView &problems() const { return *m_problems; }
+    [[nodiscard]] ParametersPane &parameters() const { return *m_parameters; }
+    [[nodiscard]] AddressPane &address() const { return *m_address; }
+
+    /// An entry for each of them.
+    void fill(QMenu &window) const;
+    /// As at the first start.
+    void layOut();
+    /// What is wrong with a text of that name, and how much in the dock's title.
+    void showProblems(const QString &file, const Preview &preview);
+
+private:
+    QDockWidget *add(QWidget *panel, const QString &title, const QString &name);
+
+    QMainWindow &m_window;
+    ProblemsView *m_problems;
+    ParametersPane *m_parameters;
+    AddressPane *m_address;
+    /// In the order in which they are listed.
+    QList<QDockWidget *> m_docks;
+    QDockWidget *m_problemsDock;
+};
+
+}

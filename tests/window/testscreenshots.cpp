@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <QAction>
+#include <QDir>
+#include <QListWidget>
+#include <QScreen>
+#include <QSet>
+#include <QWindow>
+
+#include "app/window/addresspane.h"
+#include "app/window/exportdialog.h"
+#include "app/window/parameterspane.h"
+#include "editor/completionpopup.h"
+#include "windowsample.h"
+
+using namespace romanesco;
+using romanesco::test::squiggles;
+using Sample = romanesco::test::WindowSample;
+
+namespace {
+
+/// The window as it is seen at first, and what its states look like on the screen.
+struct Scenery : Sample {
+    Scenery()
+    {
+        window.move(0, 0);
+        window.resize(1280, 800);
+        window.activateWindow();
+        waits = QTest::qWaitForWindowActive(&window) && waitForPicture();
+    }
+    bool waits = false;
+
+    void trigger(const QString &words) const
+    {
+        for (QAction *action : window.findChildren<QAction *>()) {
+            if (action->text().remove(u'&') == words) {
+                action->trigger();
+                return;
+            }
+        }
+        qFatal("there is no %s", qPrintable(words));
+    }
+
+    /// All of the screen that the window covers, as PNG where ROMANESCO_SCREENSHOTS names a folder.
+    [[nodiscard]] bool keep(const QString &name) const
+    {
+        QTest::qWait(300); // for what fades in
+        const QPixmap seen = window.screen()->grabWindow(0, 0, 0, 1280, 800);
+        const QString folder = qEnvironmentVariable("ROMANESCO_SCREENSHOTS");
+        if (!folder.isEmpty() && !seen.save(QDir(folder).filePath(name + QStringLiteral(".png")))) {
+            qWarning("cannot write %s", qPrintable(name));
+            return false;
+        }
+        return hasContent(seen.toImage());
+    }
+
+    /// Neither empty nor of one colour.
+    [[nodiscard]] static bool hasContent(const QImage &image)
+    {
+        QSet<QRgb> colours;
+        for (int y = 0; y < image.height(); y += 3) {
+            for (int x = 0; x < image.width(); x += 3) {
+                colours.insert(image.pixel(x, y));
+            }
+        }
+        return colours.size() > 200;
+    }
+};
+
+}
+
+/// The main states of the window, as they are kept in docs/pictures/window (HACKING says how).
+class TestScreenshots : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void first();
+    void error();
+    void completion();
+    void address();
+    void exporting();
+    void scene();
+};
+
+void TestScreenshots::first()
+{
+    const Scenery scenery;
+    QVERIFY(scenery.waits);
+    QVERIFY(scenery.keep(QStringLiteral("first")));
+}
+
+void TestScreenshots::error()
+{
+    Scenery scenery;
+    QVERIFY(scenery.waits);
+    scenery.placeCursorAt(QStringLiteral("lean, half"));
+    QTest::keyClicks(&scenery.editor, QStringLiteral("x"));
+    QVERIFY(scenery.waitForStrip(true));
+    QVERIFY(squiggles(scenery.editor) >= 1);
+    scenery.trigger(QStringLiteral("Put Right…"));
+    QVERIFY(scenery.keep(QStringLiteral("error")));
+}
+
+void TestScreenshots::completion()
+{
+    Scenery scenery;
+    QVERIFY(scenery.waits);
+    scenery.placeCursorAt(QStringLiteral("lean, half"));
+    scenery.trigger(QStringLiteral("Complete"));
+    const auto *popup = scenery.editor.findChild<CompletionPopup *>();
+    QVERIFY(popup);
+    QVERIFY(scenery.keep(QStringLiteral("completion")));
+}
+
+void TestScreenshots::address()
+{
+    Scenery scenery;
+    QVERIFY(scenery.waits);
+    QTest::mouseClick(&scenery.viewport, Qt::LeftButton, {}, scenery.viewport.rect().center());
+    QListWidget &list = *scenery.window.findChild<AddressPane *>()->findChild<QListWidget *>();
+    QVERIFY(QTest::qWaitFor([&] { return list.count() > 0; }, 20'000));
+    scenery.trigger(QStringLiteral("Address"));
+    QVERIFY(scenery.waitForPicture());
+    QVERIFY(scenery.keep(QStringLiteral("address")));
+}
+
+void TestScreenshots::exporting()
+{
+    Scenery scenery;
+    QVERIFY(scenery.waits);
+    scenery.trigger(QStringLiteral("Export…"));
+    const auto *dialog = scenery.window.findChild<ExportDialog *>();
+    QVERIFY(dialog);
+    QVERIFY(QTest::qWaitFor([&] { return dialog->isEstimated(); }, 20'000));
+    QVERIFY(scenery.keep(QStringLiteral("export")));
+}
+
+void TestScreenshots::scene()
+{
+    Scenery scenery;
+    QVERIFY(scenery.window.openFile(QStringLiteral(":/examples/terrain.sdo")));
+    scenery.drawn = 0;
+    QVERIFY(scenery.waitForPicture());
+    QVERIFY(scenery.keep(QStringLiteral("scene")));
+}
+
+int main(int argc, char **argv)
+{
+    return romanesco::test::runWithGl<TestScreenshots>(argc, argv);
+}
+#include "testscreenshots.moc"
