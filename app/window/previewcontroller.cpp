@@ -3,8 +3,10 @@
 #include "previewcontroller.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <new>
+#include <utility>
 
 #include <QMetaObject>
 
@@ -12,6 +14,13 @@
 #include "core/language/stability.h"
 
 namespace romanesco {
+
+namespace {
+
+using namespace std::chrono_literals;
+constexpr auto firstPatience = 200ms;
+
+}
 
 PreviewController::PreviewController(const FileAccess &files, QObject *parent)
     : QObject(parent)
@@ -22,6 +31,13 @@ PreviewController::PreviewController(const FileAccess &files, QObject *parent)
     , m_counting([this](const CountJob &scene, const std::stop_token &stop) { runCount(scene, stop); })
     , m_building([this](const BuildJob &job, const std::stop_token &stop) { runBuild(job, stop); })
 {
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(firstPatience);
+    connect(&m_patience, &QTimer::timeout, this, [this] {
+        if (m_waiting) {
+            giveUp();
+        }
+    });
 }
 
 PreviewController::~PreviewController() = default;
@@ -29,14 +45,37 @@ PreviewController::~PreviewController() = default;
 quint64 PreviewController::build(const std::filesystem::path &path, const TextSnapshot &text)
 {
     ++m_newestRevision;
-    m_building.post({m_newestRevision, path, text, m_isEndless});
+    m_waiting = BuildJob{m_newestRevision, path, text, m_isEndless};
+    if (!m_isBuilding) {
+        startWaiting();
+    } else if (!m_patience.isActive()) {
+        giveUp();
+    }
     return m_newestRevision;
+}
+
+/// What is under way is asked to stop.
+void PreviewController::startWaiting()
+{
+    m_isBuilding = true;
+    m_startedRevision = m_waiting->revision;
+    m_patience.start();
+    m_building.post(*std::exchange(m_waiting, std::nullopt));
+}
+
+/// However long a text takes, the one that follows ends in time at last.
+void PreviewController::giveUp()
+{
+    m_patience.setInterval(2 * m_patience.intervalAsDuration());
+    startWaiting();
 }
 
 void PreviewController::forget()
 {
     // What is under way is of the old file and must not arrive any more.
-    ++m_newestRevision;
+    m_firstRevision = ++m_newestRevision;
+    m_waiting.reset();
+    m_isBuilding = false;
     m_lastGoodScene.reset();
 }
 
@@ -110,11 +149,20 @@ void PreviewController::runCount(const CountJob &scene, const std::stop_token &s
     }
 }
 
-void PreviewController::deliver(const Preview &preview)
+void PreviewController::deliver(Preview preview)
 {
-    if (preview.revision != m_newestRevision) {
+    if (preview.revision == m_startedRevision) {
+        m_isBuilding = false;
+        m_patience.stop();
+        m_patience.setInterval(firstPatience);
+        if (m_waiting) {
+            startWaiting();
+        }
+    }
+    if (preview.revision < m_firstRevision) {
         return;
     }
+    preview.isOutdated = preview.revision != m_newestRevision;
     if (preview.scene) {
         m_lastGoodScene = preview.scene;
         m_counting.post(preview.scene);

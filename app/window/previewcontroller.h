@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <QObject>
+#include <QTimer>
 
 #include "core/base/newestjob.h"
 #include "core/scene/depthchange.h"
@@ -21,6 +23,8 @@ namespace romanesco {
 struct Preview {
     quint64 revision = 0;
     TextSnapshot text;
+    /// A newer text waits to be built: its places are others.
+    bool isOutdated = false;
     /// Of that text, sorted by place.
     Diagnostics diagnostics;
     /// Null after errors.
@@ -37,8 +41,9 @@ struct Preview {
     QString failure;
 };
 
-/// Makes scenes of a text that changes, in the background. Only the newest text counts: the result of an older one never
-/// arrives once a newer one was given. For the GUI thread.
+/// Makes scenes of a text that changes, in the background. Of the texts that come while one is built only the newest is
+/// built. What is under way may end, so that typing without a pause still shows pictures; only where it takes long is it
+/// given up for the newer text, and the next may take twice as long. For the GUI thread.
 class PreviewController : public QObject
 {
     Q_OBJECT
@@ -48,7 +53,8 @@ public:
     /// Waits for what is under way, which has been asked to stop.
     ~PreviewController() override;
 
-    /// Starts on a text and returns its revision; paths in it are relative to path's folder. built() follows.
+    /// Starts on a text, now or soon, and returns its revision; paths in it are relative to path's folder. built() follows,
+    /// unless a newer text is given meanwhile.
     quint64 build(const std::filesystem::path &path, const TextSnapshot &text);
 
     /// From the next build() on: scenes are shown as if their depth had no end.
@@ -75,10 +81,12 @@ private:
     };
     using CountJob = std::shared_ptr<const Scene>;
 
+    void startWaiting();
+    void giveUp();
     void runBuild(const BuildJob &job, const std::stop_token &stop);
     void deepen(const BuildJob &job, Preview &preview, const std::stop_token &stop);
     void runCount(const CountJob &scene, const std::stop_token &stop);
-    void deliver(const Preview &preview);
+    void deliver(Preview preview);
 
     NamedFiles m_named;
     SceneLoader m_loader;
@@ -86,6 +94,13 @@ private:
     SceneLoader m_endlessLoader;
     bool m_isEndless = false;
     quint64 m_newestRevision = 0;
+    /// Of the file that the texts are of now.
+    quint64 m_firstRevision = 0;
+    quint64 m_startedRevision = 0;
+    bool m_isBuilding = false;
+    std::optional<BuildJob> m_waiting;
+    /// Runs while the build under way may not be given up.
+    QTimer m_patience;
     std::shared_ptr<const Scene> m_lastGoodScene;
     /// Counting has a thread of its own: it may take a second, and the next picture does not wait for it.
     NewestJob<CountJob> m_counting;

@@ -243,7 +243,9 @@ void TextTab::takePreview(const Preview &preview)
     if (hasOtherFiles) {
         watchFiles();
     }
-    m_editor->setDiagnostics(preview.diagnostics, preview.text);
+    if (!preview.isOutdated) {
+        m_editor->setDiagnostics(preview.diagnostics, preview.text);
+    }
     if (preview.scene) {
         const bool wantsEndless =
             std::exchange(m_isFirstScene, false) && preview.scene->view && preview.scene->view->isEndless;
@@ -253,7 +255,9 @@ void TextTab::takePreview(const Preview &preview)
         }
         m_shown = preview.shown;
         m_isShownEndless = preview.shown != preview.scene;
-        if (preview.scene->depth) {
+        if (preview.isOutdated) {
+            // The depth moves with what is typed.
+        } else if (preview.scene->depth) {
             const SourceRange place = preview.scene->depth->range;
             m_depth.track(preview.text.position(place.begin), preview.text.position(place.end));
         } else {

@@ -27,6 +27,7 @@ constexpr int fineSamples = 8;
 /// Where the screen's own pixels are so small, half of them do.
 constexpr int fineSamplesOnDenseScreens = 4;
 constexpr double slowMilliseconds = 100.0;
+constexpr double slowWhileChanging = 16.0;
 
 constexpr double clickDistance = 4.0;
 constexpr double zoomOfNotch = 0.85;
@@ -83,10 +84,12 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     if (underMouse()) {
         findSurfaces();
     }
-    // A text that changes is followed coarsely where a fine picture takes its time.
-    if (m_fineMilliseconds > slowMilliseconds) {
+    // A text that changes is followed coarsely where a fine picture takes its time, and sooner while it goes on changing.
+    const bool goesOn = m_sinceScene.isValid() && m_sinceScene.elapsed() < restAfter.count();
+    if (m_fineMilliseconds > (goesOn ? slowWhileChanging : slowMilliseconds)) {
         m_rest.start();
     }
+    m_sinceScene.start();
     m_drawing.start();
 }
 

@@ -148,6 +148,8 @@ private:
     std::optional<Request> m_begun;
     double m_begunTolerance = 0.0;
     QElapsedTimer m_sinceBegun;
+    /// It came from the text.
+    QElapsedTimer m_sinceScene;
     DragTolerance m_dragTolerance;
     int m_announcedSamples = 0;
     bool m_isFinishAnnounced = false;

@@ -30,6 +30,7 @@ public:
         m_sample.visibleEditor().viewport()->installEventFilter(this);
         connect(&m_sample.viewport, &Viewport::pictureAdvanced, this,
                 [this] { m_drawn = m_tabs.current().preview().revision; });
+        connect(&m_tabs.current(), &TextTab::previewed, this, [this] { ++m_built; });
         connect(&m_sample.viewport, &QOpenGLWidget::frameSwapped, this, &Typist::see);
         m_timer.setTimerType(Qt::PreciseTimer);
         connect(&m_timer, &QTimer::timeout, this, &Typist::edit);
@@ -43,7 +44,8 @@ public:
 
     void print() const
     {
-        qInfo("%d edits in %.1f s; from the key to the screen:", int(m_made.size()), double(m_made.back()) / 1e9);
+        qInfo("%d edits in %.1f s, %d of which were built; from the key to the screen:", int(m_made.size()),
+              double(m_made.back()) / 1e9, m_built);
         print("text", m_painted);
         print("picture", m_seen);
     }
@@ -91,6 +93,7 @@ private:
     Sample &m_sample;
     TextTabs &m_tabs;
     int m_edits;
+    int m_built = 0;
     quint64 m_firstRevision;
     /// Of the text that the picture is of.
     quint64 m_drawn;

@@ -3,11 +3,13 @@
 #include <atomic>
 #include <functional>
 #include <semaphore>
+#include <thread>
 #include <utility>
 
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextDocument>
+#include <QTimer>
 
 #include "app/window/previewcontroller.h"
 
@@ -109,7 +111,9 @@ class TestPreviewController : public QObject
     Q_OBJECT
 private Q_SLOTS:
     void theNewestTextWins();
-    void anOlderResultNeverArrives();
+    void anOlderResultSaysSo();
+    void whatTakesLongIsGivenUp();
+    void typingWithoutAPauseShowsPictures();
     void theLastGoodSceneStaysAfterAnError();
     void anotherFileHasNoLastGoodScene();
     void whatIsUnderWayIsForgottenToo();
@@ -118,7 +122,7 @@ private Q_SLOTS:
     void whatMaySurpriseComesWithTheScene();
 };
 
-/// While the first text is held up, two more are given: the second never runs, the first never arrives.
+/// While the first text is held up, two more are given: the second never runs.
 void TestPreviewController::theNewestTextWins()
 {
     Sample sample(true);
@@ -126,29 +130,67 @@ void TestPreviewController::theNewestTextWins()
     sample.files.entered.acquire();
     sample.build(goodText(2));
     const quint64 newest = sample.build(goodText(3));
-    sample.files.gate.release();
-    sample.files.entered.acquire();
-    sample.files.gate.release();
-
-    QVERIFY(sample.waitForBuilt(1));
-    QCOMPARE(sample.built.front().revision, newest);
-    QCOMPARE(sample.built.front().scene->depth->value, 3u);
+    sample.files.gate.release(2);
+    QVERIFY(sample.waitForBuilt(2));
+    QVERIFY(sample.built.front().isOutdated);
+    QCOMPARE(sample.built.front().scene->depth->value, 1u);
+    QVERIFY(!sample.built.back().isOutdated);
+    QCOMPARE(sample.built.back().revision, newest);
+    QCOMPARE(sample.built.back().scene->depth->value, 3u);
+    QCOMPARE(sample.controller->lastGoodScene(), sample.built.back().scene);
     QCOMPARE(sample.files.reads.load(), 2);
-    QCoreApplication::processEvents();
-    QCOMPARE(sample.built.size(), 1u);
+    QTest::qWait(50);
+    QCOMPARE(sample.built.size(), 2u);
 }
 
 /// The second text is given when the first result is already on its way to the window.
-void TestPreviewController::anOlderResultNeverArrives()
+void TestPreviewController::anOlderResultSaysSo()
 {
     Sample sample;
     quint64 newest = 0;
     BeforeDelivery intruder([&] { newest = sample.build(goodText(2)); });
     sample.controller->installEventFilter(&intruder);
     sample.build(goodText(1));
-    QVERIFY(sample.waitForBuilt(1));
+    QVERIFY(sample.waitForBuilt(2));
     QVERIFY(newest > 0);
+    QVERIFY(sample.built.front().isOutdated);
+    QCOMPARE(sample.built.back().revision, newest);
+    QVERIFY(!sample.built.back().isOutdated);
+}
+
+/// Its result never arrives.
+void TestPreviewController::whatTakesLongIsGivenUp()
+{
+    Sample sample(true);
+    sample.build(goodText(1));
+    sample.files.entered.acquire();
+    const quint64 newest = sample.build(goodText(2));
+    QTest::qWait(400);
+    sample.files.gate.release(2);
+    QVERIFY(sample.waitForBuilt(1));
     QCOMPARE(sample.built.front().revision, newest);
+}
+
+/// Each text takes longer than the first patience, and a newer one comes long before.
+void TestPreviewController::typingWithoutAPauseShowsPictures()
+{
+    Sample sample(true);
+    std::atomic_bool isOver = false;
+    const std::jthread slowDisk([&] {
+        while (!isOver) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            sample.files.gate.release();
+        }
+    });
+    std::size_t depth = 0;
+    QTimer typing;
+    QObject::connect(&typing, &QTimer::timeout, &typing, [&] { sample.build(goodText(int(++depth % 5))); });
+    typing.start(20);
+    const bool isShown = sample.waitForBuilt(2);
+    typing.stop();
+    isOver = true;
+    sample.files.gate.release(1000);
+    QVERIFY(isShown);
 }
 
 void TestPreviewController::theLastGoodSceneStaysAfterAnError()
