@@ -18,7 +18,7 @@ using Node = BoundLayout::Node;
 constexpr double tolerance = 1.0 / 256.0;
 /// Maps looked at for all boxes together. Each side may take an equal part of what is left, or a little more while there
 /// is much; the first look at what follows is free.
-constexpr std::size_t wholeBudget = 300'000;
+constexpr std::size_t wholeBudget = 1'000'000;
 constexpr std::size_t looksPerNode = 12;
 constexpr std::size_t littleMore = 500;
 

@@ -24,8 +24,8 @@ class BoxBounds
 public:
     BoxBounds() = default;
 
-    /// The mesh is the one whose sphere the graph was made with. Cost: some milliseconds. Long chains of
-    /// turned maps would take more; there the boxes become looser (9 % in area for 288 levels that turn, of 28 ms).
+    /// The mesh is the one whose sphere the graph was made with. Cost: some milliseconds; never more than some ten million
+    /// maps are looked at.
     BoxBounds(const FractalGraph &graph, const Mesh &mesh);
 
     /// Up to levels().levelCount(). Of nothing where no face is; infinite where no double holds it.

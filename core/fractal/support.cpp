@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 #include <unordered_map>
 
 #include <glm/geometric.hpp>
@@ -24,9 +23,12 @@ double sumOfSizes(const glm::dvec3 &v)
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
-/// As glm::length(), but squares of small parts do not underflow.
+/// As glm::length(), but squares neither underflow nor overflow.
 double lengthOf(const glm::dvec3 &v)
 {
+    if (const double square = glm::dot(v, v); square > 1e-280 && square < 1e280) {
+        return std::sqrt(square);
+    }
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     return largest > 0.0 ? largest * glm::length(v / largest) : 0.0;
 }
@@ -61,6 +63,50 @@ Support ofBox(const BoxRange &box, const glm::dvec3 &direction)
 }
 
 }
+
+Support SupportSearch::known(Node node, const glm::dvec3 &direction) const
+{
+    const Sphere &sphere = m_graph.bounds().ofNode(node);
+    if (sphere.isEmpty()) {
+        return {-infinity, -infinity};
+    }
+    const Support inSphere = ofSphere(sphere, direction);
+    const Support inBox = ofBox(m_boxes[node], direction);
+    return {std::max(inSphere.least, inBox.least), std::min(inSphere.greatest, inBox.greatest)};
+}
+
+/// A copy of a node.
+struct SupportSearch::Candidate {
+    double greatest;
+    Node node;
+    int depth;
+    /// Nothing more can be found out about it.
+    bool isFinal;
+    /// In the node's frame; and what it has reached before.
+    glm::dvec3 direction;
+    double offset;
+    /// For the rounding: the first direction's length times the norms, and the sum of what was added up.
+    double norm;
+    double size;
+    /// The last node passed over since the last map, in m_passed; 0 for none.
+    std::uint32_t passed;
+
+    /// A direction is off by less than 6u for each map, relative to the norms (u is half of epsilon); what it is multiplied
+    /// with and added up, by less than 6u more.
+    [[nodiscard]] double rounding(const Sphere &sphere) const
+    {
+        return 4.0 * epsilon * (depth + 1) * (size + norm * (sumOfSizes(sphere.centre) + sphere.radius));
+    }
+};
+
+/// Small, for it is moved about.
+struct SupportSearch::Open {
+    double greatest;
+    std::uint32_t candidate;
+
+    auto operator<=>(const Open &other) const { return greatest <=> other.greatest; }
+    bool operator==(const Open &other) const { return greatest == other.greatest; }
+};
 
 SupportSearch::SupportSearch(const FractalGraph &graph, const Mesh &mesh, std::span<const Box> boxes)
     : m_graph(graph)
@@ -100,51 +146,20 @@ SupportSearch::SupportSearch(const FractalGraph &graph, const Mesh &mesh, std::s
     m_boxes[BoundLayout::end] = {box, box};
 }
 
-Support SupportSearch::known(Node node, const glm::dvec3 &direction) const
-{
-    const Sphere &sphere = m_graph.bounds().ofNode(node);
-    if (sphere.isEmpty()) {
-        return {-infinity, -infinity};
-    }
-    const Support inSphere = ofSphere(sphere, direction);
-    const Support inBox = ofBox(m_boxes[node], direction);
-    return {std::max(inSphere.least, inBox.least), std::min(inSphere.greatest, inBox.greatest)};
-}
-
-/// A copy of a node.
-struct SupportSearch::Candidate {
-    double greatest;
-    Node node;
-    int depth;
-    /// Nothing more can be found out about it.
-    bool isFinal;
-    /// In the node's frame; and what it has reached before.
-    glm::dvec3 direction;
-    double offset;
-    /// For the rounding: the first direction's length times the norms, and the sum of what was added up.
-    double norm;
-    double size;
-    /// The last node passed over since the last map, in m_passed; 0 for none.
-    std::uint32_t passed;
-
-    bool operator<(const Candidate &other) const { return greatest < other.greatest; }
-
-    /// A direction is off by less than 6u for each map, relative to the norms (u is half of epsilon); what it is multiplied
-    /// with and added up, by less than 6u more.
-    [[nodiscard]] double rounding(const Sphere &sphere) const
-    {
-        return 4.0 * epsilon * (depth + 1) * (size + norm * (sumOfSizes(sphere.centre) + sphere.radius));
-    }
-};
+SupportSearch::~SupportSearch() = default;
 
 class SupportSearch::Search
 {
 public:
-    Search(const SupportSearch &parts, std::size_t &budget)
+    Search(SupportSearch &parts, std::size_t &budget)
         : m_parts(parts)
+        , m_candidates(parts.m_candidates)
+        , m_open(parts.m_open)
         , m_graph(parts.m_graph)
         , m_budget(budget)
     {
+        m_candidates.clear();
+        m_open.clear();
     }
 
     Support run(Node node, const glm::dvec3 &direction, double tolerance)
@@ -155,13 +170,14 @@ public:
         }
         m_least = whole.least;
         expand({whole.greatest, node, 0, false, direction, 0.0, lengthOf(direction), 0.0, 0});
-        while (!m_open.empty() && !m_open.top().isFinal && m_budget > 0
-               && !(m_open.top().greatest - m_least <= tolerance)) {
-            const Candidate candidate = m_open.top();
-            m_open.pop();
+        while (!m_open.empty() && !m_candidates[m_open.front().candidate].isFinal && m_budget > 0
+               && !(m_open.front().greatest - m_least <= tolerance)) {
+            const Candidate candidate = m_candidates[m_open.front().candidate];
+            std::ranges::pop_heap(m_open);
+            m_open.pop_back();
             expand(candidate);
         }
-        const double greatest = m_open.empty() ? -infinity : m_open.top().greatest;
+        const double greatest = m_open.empty() ? -infinity : m_open.front().greatest;
         return {std::min(m_least, greatest), greatest};
     }
 
@@ -225,7 +241,7 @@ private:
         candidate.greatest = std::min(parent.greatest, candidate.offset + support.greatest + rounding);
         candidate.isFinal = candidate.node != BoundLayout::end && m_graph.layout().steps(candidate.node).empty();
         m_least = std::max(m_least, candidate.offset + support.least - rounding);
-        m_open.push(candidate);
+        open(candidate);
         look(1);
     }
 
@@ -240,7 +256,14 @@ private:
         leaf.greatest = std::min(leaf.greatest, leaf.offset + reach + rounding);
         leaf.isFinal = true;
         m_least = std::max(m_least, leaf.offset + reach - rounding);
-        m_open.push(leaf);
+        open(leaf);
+    }
+
+    void open(const Candidate &candidate)
+    {
+        m_open.push_back({candidate.greatest, static_cast<std::uint32_t>(m_candidates.size())});
+        std::ranges::push_heap(m_open);
+        m_candidates.push_back(candidate);
     }
 
     void look(std::size_t count) { m_budget -= std::min(m_budget, count); }
@@ -253,7 +276,9 @@ private:
         std::uint32_t before;
     };
 
-    std::priority_queue<Candidate> m_open;
+    std::vector<Candidate> &m_candidates;
+    /// A heap.
+    std::vector<Open> &m_open;
     std::vector<Passed> m_passed{{0, 0}};
     double m_least = -infinity;
 };

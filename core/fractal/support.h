@@ -40,6 +40,7 @@ public:
 
     /// boxes: of each node, where they are known.
     SupportSearch(const FractalGraph &graph, const Mesh &mesh, std::span<const Box> boxes = {});
+    ~SupportSearch();
 
     /// What is known of a node besides its sphere. To be set where more is found.
     [[nodiscard]] BoxRange &box(Node node) { return m_boxes[node]; }
@@ -62,6 +63,7 @@ private:
         std::vector<glm::dvec3> translations;
     };
     struct Candidate;
+    struct Open;
     class Search;
 
     const FractalGraph &m_graph;
@@ -72,6 +74,9 @@ private:
     /// Those that faces use.
     std::vector<glm::dvec3> m_vertices;
     std::vector<BoxRange> m_boxes;
+    /// Of the search under way; kept for the room that they have.
+    std::vector<Candidate> m_candidates;
+    std::vector<Open> m_open;
 };
 
 }
