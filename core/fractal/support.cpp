@@ -153,10 +153,10 @@ class SupportSearch::Search
 public:
     Search(SupportSearch &parts, std::size_t &budget)
         : m_parts(parts)
-        , m_candidates(parts.m_candidates)
-        , m_open(parts.m_open)
         , m_graph(parts.m_graph)
         , m_budget(budget)
+        , m_candidates(parts.m_candidates)
+        , m_open(parts.m_open)
     {
         m_candidates.clear();
         m_open.clear();
