@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "supports.h"
+
+namespace romanesco {
+
+/// A sphere that falls, slides and bounces. It has no spin and no friction, and its mass is its volume.
+struct Ball {
+    /// The centre, in the world.
+    glm::dvec3 position{0.0};
+    /// A second.
+    glm::dvec3 velocity{0.0};
+    /// Above 0.
+    double radius = 1.0;
+    /// The coefficient of restitution, from 0 to 1.
+    double restitution = 1.0;
+};
+
+/// A ball, and what is known of it from step to step.
+struct BallState : Ball {
+    /// No point of the surface is nearer to the centre; 0 where that is not known.
+    double clearance = 0.0;
+    /// What holds it up, and where it slides along.
+    Supports supports = {};
+    /// It rests: nothing moves it until something that it touches changes.
+    bool isAsleep = false;
+};
+
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "ballstep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+namespace romanesco {
+
+namespace {
+
+/// Of the radius.
+constexpr double skinShare = 1e-4;
+/// So many roundings make a skin at least.
+constexpr double skinRoundings = 16.0;
+/// Of the speed that falling by half the radius gives.
+constexpr double stillShare = 1e-7;
+/// Of the skin: what is nearer is pushed out, into the middle of it.
+constexpr double leastStandOff = 1.0 / 32.0;
+constexpr double standOff = 0.5;
+constexpr int mostPushes = 8;
+/// Of the skin: what a ball in a gap that is too narrow for it may sink in before it touches again.
+constexpr double squeeze = 1e-4;
+constexpr double mostTilt = 1e-3;
+
+}
+
+BallStep::BallStep(BallState &ball, const Laws &laws, Probe &probe, double time)
+    : m_ball(ball)
+    , m_laws(laws)
+    , m_probe(probe)
+    , m_left(time)
+    , m_radius(ball.radius)
+    , m_rounding(probe.roundingAt(ball.position))
+    , m_skin(std::max(skinShare * ball.radius, skinRoundings * m_rounding))
+{
+    m_probe.begin(laws.budget);
+}
+
+void BallStep::lose()
+{
+    m_report.isExhausted = true;
+    m_left = 0.0;
+}
+
+double BallStep::still() const
+{
+    return stillShare * std::sqrt(glm::length(m_laws.gravity) * m_radius) + 8.0 * tilt() * glm::length(m_ball.velocity);
+}
+
+double BallStep::tilt() const
+{
+    return std::min(mostTilt, m_rounding / m_radius);
+}
+
+void BallStep::measure(double reach)
+{
+    m_nearest = m_probe.nearest(m_ball.position, m_radius + reach);
+    m_isMeasured = true;
+    m_ball.clearance = m_nearest.clearance;
+}
+
+bool BallStep::isTouching() const
+{
+    return hasDirection() && room() <= m_skin;
+}
+
+void BallStep::moveTo(const glm::dvec3 &position, double distance)
+{
+    m_ball.position = position;
+    m_ball.clearance = std::max(0.0, m_ball.clearance - distance - m_rounding);
+    m_isMeasured = false;
+}
+
+void BallStep::setClearance(double clearance)
+{
+    m_ball.clearance = std::max(m_ball.clearance, clearance - m_rounding);
+}
+
+void BallStep::pushOut()
+{
+    const double before = glm::dot(m_laws.gravity, m_ball.position);
+    for (int push = 0; push < mostPushes && room() < leastStandOff * m_skin && !m_probe.isExhausted(); ++push) {
+        const double clearance = m_ball.clearance;
+        const double wanted = m_radius + standOff * m_skin - clearance;
+        const glm::dvec3 way = wanted * m_nearest.direction;
+        const double free = std::max(0.0, std::min(m_radius, clearance * (1.0 - 1e-9) - 4.0 * m_rounding));
+        const double share = m_probe.freeShare(m_ball.position, way, free);
+        const glm::dvec3 from = m_ball.position;
+        moveTo(from + share * way, share * wanted);
+        measure(m_skin + m_rounding);
+        if (m_ball.clearance <= clearance) {
+            // something else is as near on the other side
+            m_ball.position = from;
+            measure(m_skin + m_rounding);
+            break;
+        }
+    }
+    if (room() < leastStandOff * m_skin) {
+        m_radius = std::max(m_rounding, m_ball.clearance - std::max(squeeze * m_skin, 4.0 * m_rounding));
+    }
+    // what it is lifted by is taken from its motion
+    const double won = before - glm::dot(m_laws.gravity, m_ball.position);
+    if (won > 0.0) {
+        m_ball.velocity = withEnergy(m_ball.velocity, glm::dot(m_ball.velocity, m_ball.velocity) - 2.0 * won);
+    }
+}
+
+glm::dvec3 withEnergy(const glm::dvec3 &v, double squaredSpeed)
+{
+    const double square = glm::dot(v, v);
+    if (square <= 0.0 || squaredSpeed <= 0.0) {
+        return glm::dvec3(0.0);
+    }
+    return std::sqrt(std::min(1.0, squaredSpeed / square)) * v;
+}
+
+}

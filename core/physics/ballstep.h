@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+
+#include "ball.h"
+#include "probe.h"
+
+namespace romanesco {
+
+/// What all balls of a world obey.
+struct Laws {
+    /// A second squared.
+    glm::dvec3 gravity{0.0, -9.8, 0.0};
+    /// Seconds; above 0.
+    double timeStep = 1.0 / 240.0;
+    /// Of one ball in one step.
+    ProbeBudget budget;
+};
+
+/// What a step of a ball took.
+struct StepReport {
+    SearchCost cost;
+    unsigned queries = 0;
+    /// Directions in which it touched; of a ball that rests, what it rests on.
+    unsigned contacts = 0;
+    /// The budget did not last: the ball has lost the rest of the step, and kept its velocity.
+    bool isExhausted = false;
+};
+
+/// A step of a ball that is under way: what flying, landing and sliding share.
+///
+/// Lengths. A ball touches what is within its radius and the skin, which is 1e-4 of the radius or a multiple of the rounding
+/// where that is more. Sweeps stop in the middle of it, so that a ball never starts with an overlap.
+class BallStep
+{
+public:
+    BallStep(BallState &ball, const Laws &laws, Probe &probe, double time);
+
+    BallState &ball() { return m_ball; }
+    [[nodiscard]] const BallState &ball() const { return m_ball; }
+    [[nodiscard]] const Laws &laws() const { return m_laws; }
+    Probe &probe() { return m_probe; }
+    StepReport &report() { return m_report; }
+
+    /// What is left of the step's time.
+    [[nodiscard]] double left() const { return m_left; }
+    void spend(double time) { m_left = time < m_left ? m_left - time : 0.0; }
+    /// The rest, which is counted.
+    void lose();
+
+    /// That of the ball; less while it is in a gap that is too narrow for it.
+    [[nodiscard]] double radius() const { return m_radius; }
+    [[nodiscard]] double skin() const { return m_skin; }
+    [[nodiscard]] double rounding() const { return m_rounding; }
+    /// From the ball to the surface at least; not positive where that is not known, or where they overlap.
+    [[nodiscard]] double room() const { return m_ball.clearance - m_radius; }
+    /// Speeds along a contact's direction up to this are none: of a ball that hardly moves, or by the direction's rounding.
+    [[nodiscard]] double still() const;
+    /// What the directions of contacts may be off by.
+    [[nodiscard]] double tilt() const;
+
+    /// Finds the clearance, and what is nearest within a distance from the ball.
+    void measure(double reach);
+    [[nodiscard]] bool isMeasured() const { return m_isMeasured; }
+    /// Whether something was within the reach of the last measure, from where it is now.
+    [[nodiscard]] bool hasDirection() const { return m_isMeasured && m_nearest.isFound; }
+    /// By the last measure, whether it touches.
+    [[nodiscard]] bool isTouching() const;
+    [[nodiscard]] const glm::dvec3 &direction() const { return m_nearest.direction; }
+
+    /// Moves to a place so far away, which nothing was found to be in the way of.
+    void moveTo(const glm::dvec3 &position, double distance);
+    /// Where it is, so much is proved to be free.
+    void setClearance(double clearance);
+
+    /// Makes it stand off the surface; the work is taken from its motion as far as that lasts. Where there is no room it becomes smaller for the step.
+    void pushOut();
+
+private:
+    BallState &m_ball;
+    const Laws &m_laws;
+    Probe &m_probe;
+    StepReport m_report;
+    double m_left;
+    double m_radius;
+    double m_rounding;
+    double m_skin;
+    Probe::Nearest m_nearest;
+    bool m_isMeasured = false;
+};
+
+/// v with its length changed for what gravity did on a way beside the one that v was computed for: no energy is won. What is
+/// too slow for that stops.
+[[nodiscard]] glm::dvec3 withEnergy(const glm::dvec3 &v, double squaredSpeed);
+
+}

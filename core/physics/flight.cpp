@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "landing.h"
+
+namespace romanesco {
+
+namespace {
+
+/// Of the radius: on longer ways the sweep is asked first.
+constexpr double shortWay = 4.0;
+/// What is measured lasts for so many steps.
+constexpr double reachInWays = 8.0;
+/// Of the skin, where sweeps stop.
+constexpr double standOff = 0.5;
+/// A chord that ends a little beyond the plane that is fallen on.
+constexpr double beyond = 1.05;
+constexpr int mostShorter = 60;
+/// Chords that are of no use are made so much shorter, down to such a share of a time step.
+constexpr double shorter = 0.25;
+constexpr double leastTime = 1e-9;
+
+/// A part of a parabola, and the sphere that holds the ball all along it: the ball bends away from the chord, to one side.
+struct Chord {
+    double time = 0.0;
+    glm::dvec3 way{0.0};
+    double length = 0.0;
+    /// How far it bends at most, and to where.
+    double sag = 0.0;
+    glm::dvec3 bend{0.0};
+};
+
+Chord chordOf(const glm::dvec3 &v, const glm::dvec3 &a, double time)
+{
+    Chord chord{.time = time};
+    chord.way = time * v + (0.5 * time * time) * a;
+    chord.length = glm::length(chord.way);
+    if (chord.length > 0.0) {
+        const glm::dvec3 along = chord.way / chord.length;
+        const glm::dvec3 across = a - glm::dot(a, along) * along;
+        const double strength = glm::length(across);
+        chord.sag = 0.125 * time * time * strength;
+        chord.bend = strength > 0.0 ? -across / strength : glm::dvec3(0.0);
+    }
+    return chord;
+}
+
+/// Until the ball would go back along its chord.
+double timeForward(const glm::dvec3 &v, const glm::dvec3 &a, double time)
+{
+    const double pull = glm::dot(v, a);
+    const bool turns = pull < 0.0 && glm::dot(v + time * a, v + 0.5 * time * a) < 0.0;
+    return turns ? std::min(time, -pull / glm::dot(a, a)) : time;
+}
+
+/// When the ball is so far along its chord.
+double timeAlong(const Chord &chord, const glm::dvec3 &v, const glm::dvec3 &a, double way)
+{
+    const glm::dvec3 along = chord.way / chord.length;
+    const double speed = glm::dot(v, along);
+    const double pull = glm::dot(a, along);
+    const double root = std::sqrt(std::max(0.0, speed * speed + 2.0 * pull * way));
+    const double sum = speed + root;
+    return sum > 0.0 ? std::clamp(2.0 * way / sum, 0.0, chord.time) : 0.0;
+}
+
+/// Until a plane in that direction, which is so far away, would be met; infinite where it is not.
+double timeToFall(const glm::dvec3 &v, const glm::dvec3 &a, const glm::dvec3 &direction, double distance)
+{
+    const double speed = -glm::dot(v, direction);
+    const double pull = -glm::dot(a, direction);
+    const double square = speed * speed + 2.0 * pull * distance;
+    const double sum = speed + std::sqrt(std::max(0.0, square));
+    return square >= 0.0 && sum > 0.0 ? 2.0 * distance / sum : std::numeric_limits<double>::infinity();
+}
+
+class Flight
+{
+public:
+    explicit Flight(BallStep &step)
+        : m_step(step)
+        , m_ball(step.ball())
+        , m_gravity(step.laws().gravity)
+    {
+    }
+
+    void run()
+    {
+        if (isFree()) {
+            return;
+        }
+        if (pathFor(m_step.left()) <= shortWay * m_step.radius() && look()) {
+            return;
+        }
+        while (m_step.left() > 0.0 && m_ball.supports.isEmpty() && !m_step.probe().isExhausted()) {
+            if (isFree()) {
+                return;
+            }
+            if (!sweepOn()) {
+                giveUp();
+                return;
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] double pathFor(double time) const
+    {
+        return glm::length(m_ball.velocity) * time + 0.5 * glm::length(m_gravity) * time * time;
+    }
+
+    /// Goes to the end where nothing can be in the way.
+    bool isFree()
+    {
+        const double path = pathFor(m_step.left());
+        if (m_step.room() <= path + m_step.rounding()) {
+            return false;
+        }
+        advance(m_step.left(), path);
+        return true;
+    }
+
+    void advance(double time, double path)
+    {
+        m_step.moveTo(m_ball.position + time * m_ball.velocity + (0.5 * time * time) * m_gravity, path);
+        m_ball.velocity += time * m_gravity;
+        m_step.spend(time);
+    }
+
+    /// Asks what is near. Whether the ball has gone on, or has landed where it is.
+    bool look()
+    {
+        m_step.measure(reachInWays * pathFor(m_step.left()) + 2.0 * m_step.skin());
+        return isFree() || landsOrStands();
+    }
+
+    /// Where it touches: lands it, once at a place. Whether something holds it up then.
+    bool landsOrStands()
+    {
+        if (!m_step.isTouching()) {
+            return false;
+        }
+        m_step.pushOut();
+        if (!std::exchange(m_hasLanded, true)) {
+            land(m_step);
+        }
+        return !m_ball.supports.isEmpty();
+    }
+
+    /// The longest chord that the ball can be swept along from where it is.
+    [[nodiscard]] Chord nextChord(double growth) const
+    {
+        double time = timeForward(m_ball.velocity, m_gravity, std::min(m_step.left(), m_longest));
+        if (m_isNear) {
+            time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_step.room()));
+        }
+        Chord chord = chordOf(m_ball.velocity, m_gravity, time);
+        for (int i = 0; i < mostShorter && growthOf(chord) > growth; ++i) {
+            time *= std::clamp(0.9 * std::sqrt(growth / growthOf(chord)), 1e-3, 0.7);
+            chord = chordOf(m_ball.velocity, m_gravity, time);
+        }
+        return chord;
+    }
+
+    /// By how much the sphere round a chord comes nearer to what the ball stands on.
+    [[nodiscard]] double growthOf(const Chord &chord) const
+    {
+        const bool knowsWhere = m_step.hasDirection() && !m_isCautious;
+        const double lean = knowsWhere ? glm::dot(chord.bend, m_step.direction()) : -1.0;
+        return 0.5 * chord.sag * (1.0 - std::min(lean, 1.0));
+    }
+
+    /// The next chord. Whether that was of any use.
+    bool sweepOn()
+    {
+        const double room = m_step.room();
+        const double stand = standOff * (room > 0.0 ? std::min(room, m_step.skin()) : m_step.skin());
+        // how near it is to what it may touch at once is not asked before it does
+        const Chord chord = nextChord(m_step.isMeasured() ? room - stand : std::numeric_limits<double>::infinity());
+        if (chord.length == 0.0) {
+            advance(m_step.left(), 0.0); // too little to be told
+            return true;
+        }
+        const double radius = m_step.radius() + stand;
+        const double share = m_step.probe().freeShare(m_ball.position + 0.5 * chord.sag * chord.bend, chord.way,
+                                                      radius + 0.5 * chord.sag);
+        if (share < 1.0) {
+            return goToTouch(chord, share, radius);
+        }
+        advance(chord.time, pathFor(chord.time));
+        m_step.setClearance(radius);
+        m_isNear = m_hasLanded = m_isCautious = false;
+        m_longest = std::numeric_limits<double>::infinity();
+        if (m_step.left() > 0.0) {
+            (void)look();
+        }
+        return true;
+    }
+
+    bool goToTouch(const Chord &chord, double share, double radius)
+    {
+        const double time = timeAlong(chord, m_ball.velocity, m_gravity, share * chord.length);
+        const bool hasMoved = time > 0.0;
+        if (hasMoved) {
+            advance(time, pathFor(time));
+            m_step.setClearance(radius);
+            m_hasLanded = m_isCautious = false;
+        }
+        m_step.measure(chord.sag + 2.0 * m_step.skin());
+        m_isNear = m_step.hasDirection() && !m_step.isTouching();
+        m_longest = std::numeric_limits<double>::infinity();
+        const bool hadLanded = m_hasLanded;
+        if (landsOrStands() || hasMoved || m_hasLanded != hadLanded || !std::exchange(m_isCautious, true)) {
+            return true;
+        }
+        // It goes away from what it touches and is pulled back to it on the way.
+        m_longest = shorter * chord.time;
+        return (m_step.isTouching() && settle(m_step)) || chord.time > leastTime * m_step.laws().timeStep;
+    }
+
+    void giveUp()
+    {
+        if (m_step.probe().surface().isProved) {
+            m_step.lose();
+        } else {
+            advance(m_step.left(), pathFor(m_step.left())); // it may go through, which is what it does
+        }
+    }
+
+    BallStep &m_step;
+    BallState &m_ball;
+    const glm::dvec3 m_gravity;
+    bool m_hasLanded = false;
+    bool m_isNear = false;
+    bool m_isCautious = false;
+    /// What is tried next.
+    double m_longest = std::numeric_limits<double>::infinity();
+};
+
+}
+
+void fly(BallStep &step)
+{
+    Flight(step).run();
+}
+
+}

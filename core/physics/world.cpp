@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "world.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ballstepper.h"
+#include "dissertationstep.h"
+#include "exponential.h"
+#include "statehash.h"
+
+namespace romanesco {
+
+namespace {
+
+/// Balls that a thread takes at once: some microseconds of work.
+constexpr std::size_t ballsAtATime = 16;
+/// Of the radius at the start.
+constexpr double leastShare = 1e-9;
+
+}
+
+World::World(Surface surface, const Options &options)
+    : m_options(options)
+    , m_team(options.threads)
+{
+    assert(options.laws.timeStep > 0.0 && options.shrinkRate >= 0.0);
+    setSurface(std::move(surface));
+}
+
+void World::add(const Ball &ball)
+{
+    assert(ball.radius > 0.0 && ball.restitution >= 0.0 && ball.restitution <= 1.0);
+    m_balls.push_back({ball});
+    m_radiiAtStart.push_back(ball.radius);
+    m_addedAt.push_back(m_stepCount);
+    m_reports.emplace_back();
+}
+
+void World::setSurface(Surface surface)
+{
+    m_surface = std::make_shared<const Surface>(std::move(surface));
+    m_probes.clear();
+    for (unsigned i = 0; i < m_team.size(); ++i) {
+        m_probes.push_back(std::make_unique<Probe>(*m_surface));
+    }
+    for (BallState &ball : m_balls) {
+        ball.clearance = 0.0;
+        ball.supports.clear();
+        ball.isAsleep = false;
+    }
+}
+
+void World::step()
+{
+    if (m_options.shrinkRate > 0.0) {
+        shrink();
+    }
+    m_team.run(m_balls.size(), ballsAtATime, [this](std::size_t first, std::size_t last, unsigned thread) {
+        stepBalls(first, last, *m_probes[thread]);
+    });
+    ++m_stepCount;
+    m_lostSteps += static_cast<std::uint64_t>(std::ranges::count_if(m_reports, &StepReport::isExhausted));
+}
+
+void World::shrink()
+{
+    for (std::size_t i = 0; i < m_balls.size(); ++i) {
+        const double time = static_cast<double>(m_stepCount + 1 - m_addedAt[i]) * m_options.laws.timeStep;
+        const double share = std::max(leastShare, exponential(-m_options.shrinkRate * time));
+        m_balls[i].radius = share * m_radiiAtStart[i];
+        m_balls[i].isAsleep = false;
+    }
+}
+
+void World::stepBalls(std::size_t first, std::size_t last, Probe &probe)
+{
+    const Laws &laws = m_options.laws;
+    for (std::size_t i = first; i < last; ++i) {
+        m_reports[i] = m_options.isAsInDissertation ? stepAsInDissertation(m_balls[i], laws, probe, laws.timeStep)
+                                                    : stepBall(m_balls[i], laws, probe, laws.timeStep);
+    }
+}
+
+std::uint64_t World::stateHash() const
+{
+    StateHash hash;
+    hash.add(m_stepCount);
+    for (const BallState &ball : m_balls) {
+        hash.add(ball.position);
+        hash.add(ball.velocity);
+        hash.add(ball.radius);
+        hash.add(ball.restitution);
+        hash.add(ball.clearance);
+        for (const glm::dvec3 &n : ball.supports.directions()) {
+            hash.add(n);
+        }
+        hash.add(std::uint64_t{ball.isAsleep});
+    }
+    return hash.value();
+}
+
+}
