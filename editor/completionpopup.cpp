@@ -96,7 +96,12 @@ void CompletionPopup::follow(const QKeyEvent &key)
 
 std::vector<Completion> CompletionPopup::completions()
 {
-    const std::vector<std::string> files = m_files ? m_files() : std::vector<std::string>();
+    const FileNames files = [this] {
+        if (!m_listed) {
+            m_listed = m_files ? m_files() : std::vector<std::string>();
+        }
+        return *m_listed;
+    };
     const std::size_t offset = m_text.offset(m_editor.textCursor().position());
     if (const FdoDocument *fdo = m_text.fdo()) {
         return complete(*fdo, offset, files);
@@ -119,6 +124,9 @@ QString CompletionPopup::begunWord() const
 void CompletionPopup::update(bool isAsked)
 {
     const QString begun = begunWord();
+    if (!isOpen() && (isAsked || begun.size() <= 1)) {
+        m_listed.reset();
+    }
     const bool isNameBegun = !begun.isEmpty() && !begun.front().isDigit();
     const bool mayOpen = !m_editor.isReadOnly() && !m_editor.textCursor().hasSelection() && (isAsked || isNameBegun);
     m_completions = mayOpen ? completions() : std::vector<Completion>();

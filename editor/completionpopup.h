@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +21,6 @@ namespace romanesco {
 
 class LanguageText;
 
-/// The paths that a text may name, relative to its folder.
-using FileNames = std::function<std::vector<std::string>()>;
-
 /// A list under the cursor of what may stand there. It opens when asked, and by itself while a name is being typed; never
 /// in a comment, for a number, or in a read-only text. Typing narrows it, Enter and Tab write what is chosen as one undo
 /// step, Esc closes it. Where the word that is typed is one of them already, none is chosen and Enter is a new line.
@@ -34,7 +31,7 @@ public:
     /// Both must outlive it.
     CompletionPopup(QPlainTextEdit &editor, LanguageText &text);
 
-    /// Asked each time that the list is filled.
+    /// Asked where a path may stand, once for each word that is begun there.
     void setFiles(FileNames files) { m_files = std::move(files); }
 
     /// As asked for: also where no word is begun.
@@ -56,6 +53,8 @@ private:
     QPlainTextEdit &m_editor;
     LanguageText &m_text;
     FileNames m_files;
+    /// What it said of this word.
+    std::optional<std::vector<std::string>> m_listed;
     QCompleter *m_completer;
     QStandardItemModel *m_model;
     QTreeView *m_view;

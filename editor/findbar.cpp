@@ -92,9 +92,12 @@ void FindBar::connectParts()
         goIfFound();
         showState();
     });
-    connect(&m_search, &TextSearch::replacedAll, this,
-            [this](int count) { m_count->setText(tr("%n replaced", nullptr, count)); });
+    connect(&m_search, &TextSearch::replacedAll, this, [this](int count) {
+        m_replaced = {count, m_editor.document()->revision()};
+        showState();
+    });
     connect(&m_editor, &QPlainTextEdit::selectionChanged, this, [this] {
+        m_replaced.reset();
         if (isVisible()) {
             showState();
         }
@@ -143,6 +146,7 @@ void FindBar::startSearch()
     if (!isVisible()) {
         return;
     }
+    m_replaced.reset();
     m_search.setQuery({m_words->text(), m_expression->isChecked(), m_case->isChecked(), m_whole->isChecked()});
     m_way = Way::FromHere;
 }
@@ -164,6 +168,7 @@ void FindBar::go(Way way)
         show();
         startSearch();
     }
+    m_replaced.reset();
     m_way = way;
     goIfFound();
 }
@@ -239,6 +244,15 @@ void FindBar::replaceAll()
     }
 }
 
+void FindBar::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    // Marks have the colours of the theme.
+    if (event->type() == QEvent::PaletteChange && isVisible()) {
+        showState();
+    }
+}
+
 void FindBar::hideEvent(QHideEvent *event)
 {
     // Not where only the window is hidden.
@@ -281,6 +295,8 @@ void FindBar::showState()
     const auto count = static_cast<int>(matches.size());
     if (m_words->text().isEmpty() || !m_search.error().isEmpty()) {
         m_count->clear();
+    } else if (m_replaced && m_replaced->revision == m_editor.document()->revision()) {
+        m_count->setText(tr("%n replaced", nullptr, m_replaced->count));
     } else if (!m_search.isComplete()) {
         m_count->setText(tr("%1 so far").arg(count));
     } else if (count == 0) {

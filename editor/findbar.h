@@ -38,6 +38,7 @@ public Q_SLOTS:
     void replaceAll();
 
 protected:
+    void changeEvent(QEvent *event) override;
     void hideEvent(QHideEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
@@ -67,6 +68,12 @@ private:
     QPushButton *m_replaceAll;
     QLabel *m_count;
     QLabel *m_remark;
+    /// What replaceAll() has done last, told until the text is another or the user goes on.
+    struct Replaced {
+        int count;
+        int revision;
+    };
+    std::optional<Replaced> m_replaced;
     /// Where to go as soon as it is found.
     std::optional<Way> m_way;
     /// Where the search began, which what is typed is looked for from.

@@ -41,7 +41,11 @@ MessageStrip::MessageStrip(Closing closing, QWidget *parent)
         button->setAutoRaise(true);
         button->setToolTip(tr("Close this message"));
         button->setAccessibleName(tr("Close this message"));
-        connect(button, &QToolButton::clicked, this, &MessageStrip::fallSilent);
+        connect(button, &QToolButton::clicked, this, [this] {
+            const QString said = m_text;
+            fallSilent();
+            Q_EMIT closed(said);
+        });
         layout->addWidget(button, 0, Qt::AlignTop);
     }
     hide();

@@ -26,6 +26,8 @@ public:
 
 Q_SIGNALS:
     void followed();
+    /// By the user.
+    void closed(const QString &text);
 
 protected:
     void mouseReleaseEvent(QMouseEvent *event) override;

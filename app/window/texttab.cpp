@@ -41,6 +41,11 @@ TextTab::TextTab(JournalSession &journals, FileWatch &watch, const FileAccess &f
     m_editor->setFiles([this] { return filesBeside(); });
     connect(m_editor, &FdoEditor::renumberingOffered, this, &TextTab::offerRenumbering);
     connect(m_strip, &MessageStrip::followed, m_editor, &FdoEditor::renumber);
+    connect(m_strip, &MessageStrip::closed, this, [this](const QString &text) {
+        if (text == m_offer) {
+            m_editor->dismissRenumbering();
+        }
+    });
     connect(&m_document, &Document::replaced, this, &TextTab::restart);
     connect(&m_document, &Document::textChanged, this, &TextTab::build);
     connect(&m_preview, &PreviewController::built, this, &TextTab::takePreview);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct Completion {
     CompletionKind kind = CompletionKind::Keyword;
 };
 
+/// The paths that a value may name, relative to the text's folder, in the order wanted.
+using FileNames = std::function<std::vector<std::string>()>;
+
 /// Beyond so many nobody looks; typing a letter more leaves fewer.
 constexpr std::size_t mostCompletions = 1'000;
 
@@ -32,14 +36,12 @@ constexpr std::size_t mostCompletions = 1'000;
 /// is declared above. Nothing in a comment, and where a new name or a number is asked for. Of vectors, transformations,
 /// objects and recursives the nearest above come first; parameters before vectors, names before files.
 ///
-/// files are the paths that a value may name, relative to the text's folder, in the order wanted; those that end
-/// otherwise are left out. Any offset is allowed. Cost linear in the line, the declarations and the files.
-[[nodiscard]] std::vector<Completion> complete(const FdoDocument &document, std::size_t offset,
-                                               const std::vector<std::string> &files);
+/// files is asked only where a path may stand; those that end otherwise are left out. Any offset is allowed. Cost linear
+/// in the line, the declarations and the files.
+[[nodiscard]] std::vector<Completion> complete(const FdoDocument &document, std::size_t offset, const FileNames &files);
 
 /// The same for a scene: the letters that start a line (no second camera), #, files by the letter, and the two kinds of
 /// camera.
-[[nodiscard]] std::vector<Completion> complete(const SdoSyntax &syntax, std::size_t offset,
-                                               const std::vector<std::string> &files);
+[[nodiscard]] std::vector<Completion> complete(const SdoSyntax &syntax, std::size_t offset, const FileNames &files);
 
 }

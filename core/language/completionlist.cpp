@@ -64,9 +64,9 @@ void CompletionList::add(std::string label, std::string detail, std::string_view
     add(std::move(label), std::move(detail), std::string(words) += isThere ? "" : ending, kind);
 }
 
-void CompletionList::addFiles(const std::vector<std::string> &files, std::string_view ending)
+void CompletionList::addFiles(const FileNames &files, std::string_view ending)
 {
-    for (const std::string &path : files) {
+    for (const std::string &path : files()) {
         const bool isPossible = hasEnding(path, ending) && path.find_first_of("\"\r\n") == path.npos;
         if (isPossible && wants(path)) {
             add(path, {}, m_isInQuotes ? path : '"' + path, "\"", CompletionKind::File);

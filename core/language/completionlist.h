@@ -32,7 +32,7 @@ public:
              CompletionKind kind);
 
     /// Paths that end so (".obj"), in quotes.
-    void addFiles(const std::vector<std::string> &files, std::string_view ending);
+    void addFiles(const FileNames &files, std::string_view ending);
 
     /// What follows the word that is replaced, blanks passed over.
     [[nodiscard]] std::string_view following() const;

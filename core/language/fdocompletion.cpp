@@ -25,7 +25,7 @@ public:
     {
     }
 
-    std::vector<Completion> complete(const std::vector<std::string> &files)
+    std::vector<Completion> complete(const FileNames &files)
     {
         switch (m_place.kind) {
         case Kind::Nothing:
@@ -213,7 +213,7 @@ private:
 
 }
 
-std::vector<Completion> complete(const FdoDocument &document, std::size_t offset, const std::vector<std::string> &files)
+std::vector<Completion> complete(const FdoDocument &document, std::size_t offset, const FileNames &files)
 {
     const LineMap &map = document.syntax.map();
     const std::size_t line = map.lineAt(offset);

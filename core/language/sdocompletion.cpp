@@ -153,7 +153,7 @@ void addLetters(CompletionList &list, bool hasCamera)
 
 }
 
-std::vector<Completion> complete(const SdoSyntax &syntax, std::size_t offset, const std::vector<std::string> &files)
+std::vector<Completion> complete(const SdoSyntax &syntax, std::size_t offset, const FileNames &files)
 {
     const LineMap &map = syntax.map();
     const std::size_t line = map.lineAt(offset);

@@ -51,6 +51,7 @@ private Q_SLOTS:
     void aWholeWordLetsEnterBeANewLine();
     void askedForItOffersAllThatMayStand();
     void filesOfTheFolderAreOffered();
+    void theFolderIsListedOnceForAPath();
     void scenesHaveTheirOwn();
     void theWordIsReplacedWholly();
     void aReadOnlyTextStays();
@@ -226,6 +227,30 @@ void TestCompletionPopup::filesOfTheFolderAreOffered()
     QCOMPARE(offered(), QStringList{QStringLiteral("größe.obj")});
     press(Qt::Key_Tab);
     QCOMPARE(m_editor->toPlainText(), QStringLiteral("x. \"größe.obj\""));
+}
+
+void TestCompletionPopup::theFolderIsListedOnceForAPath()
+{
+    int listings = 0;
+    m_editor->setFiles([&listings] {
+        ++listings;
+        return std::vector<std::string>{"bud.obj", "budding.obj"};
+    });
+    start(above + QStringLiteral("<$>. ["));
+    type(QStringLiteral("twi"));
+    QCOMPARE(offered(), QStringList{"twist"});
+    QCOMPARE(listings, 0);
+    start(QStringLiteral("x. \""));
+    type(QStringLiteral("bud"));
+    QCOMPARE(offered(), (QStringList{"bud.obj", "budding.obj"}));
+    QCOMPARE(listings, 1);
+    type(QStringLiteral("yy"));
+    QVERIFY(!list());
+    QCOMPARE(listings, 1);
+    // Another word, for which the folder may be another.
+    start(QStringLiteral("y. \""));
+    type(QStringLiteral("b"));
+    QCOMPARE(listings, 2);
 }
 
 void TestCompletionPopup::scenesHaveTheirOwn()

@@ -39,6 +39,7 @@ private Q_SLOTS:
     void replacingGoesOn();
     void replacingAllIsOneUndoStep_data();
     void replacingAllIsOneUndoStep();
+    void theNumberReplacedStaysToBeRead();
     void groupsAreWritten();
     void escapeCloses();
     void theSelectionIsLookedFor();
@@ -296,6 +297,27 @@ void TestFindBar::replacingAllIsOneUndoStep()
     m_editor->undo();
     QCOMPARE(m_editor->toPlainText(), text);
     QVERIFY(!m_editor->document()->isUndoAvailable());
+}
+
+void TestFindBar::theNumberReplacedStaysToBeRead()
+{
+    find(QStringLiteral("half"));
+    QVERIFY(waitFor(QStringLiteral("1 of 5")));
+    line(1)->setText(QStringLiteral("a half"));
+    m_bar->replaceAll();
+    // Until the new matches are found, and after.
+    QVERIFY(waitFor(QStringLiteral("5 replaced")));
+    QVERIFY(QTest::qWaitFor([&] { return marked().size() == 5 && marked().contains(QStringLiteral("half")); }));
+    QCOMPARE(count(), QStringLiteral("5 replaced"));
+    press(Qt::Key_Return);
+    QVERIFY(count().endsWith(QStringLiteral(" of 5")));
+    m_editor->undo();
+    m_bar->replaceAll();
+    QVERIFY(waitFor(QStringLiteral("5 replaced")));
+    m_editor->setFocus();
+    m_editor->moveCursor(QTextCursor::End);
+    type(QStringLiteral("x"));
+    QVERIFY(waitFor(QStringLiteral("5 matches")));
 }
 
 void TestFindBar::groupsAreWritten()

@@ -17,6 +17,11 @@ using namespace romanesco;
 
 namespace {
 
+std::vector<std::string> xMesh()
+{
+    return {"x.obj"};
+}
+
 void requireInside(SourceRange range, std::string_view text)
 {
     require(range.begin <= range.end && range.end <= text.size());
@@ -71,7 +76,7 @@ void lookAround(const FdoDocument &document, std::size_t offset)
         require(hasErrors(document.model.diagnostics)
                 || !hasErrors(resolveFdo(FdoSyntax(applied(text, *edits))).diagnostics));
     }
-    for (const Completion &way : complete(document, offset, {"x.obj"})) {
+    for (const Completion &way : complete(document, offset, xMesh)) {
         requireInside(way.edit.range, text);
     }
 }
@@ -117,7 +122,7 @@ void useAsScene(const std::string &text)
         if (const auto found = hover(syntax, offset)) {
             requireInside(found->range, text);
         }
-        for (const Completion &way : complete(syntax, offset, {"x.obj"})) {
+        for (const Completion &way : complete(syntax, offset, xMesh)) {
             requireInside(way.edit.range, text);
         }
     }

@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QTimer>
 #include <QToolBar>
+#include <QToolButton>
 
 #include "app/window/statusline.h"
 #include "windowsample.h"
@@ -62,6 +63,7 @@ private Q_SLOTS:
     void keysReachTheText();
     void aPathLeadsToItsFile();
     void renumberingIsOneClickAway();
+    void renumberingIsDeclinedByItsCross();
     void noTwoActionsHaveOneKey();
 };
 
@@ -424,6 +426,25 @@ void TestMainWindow::renumberingIsOneClickAway()
     QCOMPARE(sample.message(), QString());
     sample.editor.undo();
     QCOMPARE(sample.editor.toPlainText().toUtf8(), text);
+}
+
+void TestMainWindow::renumberingIsDeclinedByItsCross()
+{
+    Sample sample;
+    const QByteArray text = "v 1 0 0\nv 2 0 0\nx. \"cube.obj\"\nt.p. (p, #, #)\n<$>. [t.2] x\n";
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("a.fdo"), text)));
+    QTextCursor(sample.editor.document()).insertText(QStringLiteral("v 0 5 0\n"));
+    QVERIFY(QTest::qWaitFor([&] { return sample.message().contains(QStringLiteral("Ctrl+Shift+R")); }, 20'000));
+    QCOMPARE(sample.editor.renumberingCount(), 1);
+    for (const MessageStrip *strip : sample.window.findChildren<MessageStrip *>()) {
+        if (strip->isVisible() && strip != &sample.pane.strip()) {
+            QTest::mouseClick(strip->findChild<QToolButton *>(), Qt::LeftButton);
+        }
+    }
+    QCOMPARE(sample.editor.renumberingCount(), 0);
+    QCOMPARE(sample.message(), QString());
+    QTest::keyClick(&sample.editor, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(sample.editor.toPlainText().contains(QStringLiteral("[t.2] x")));
 }
 
 void TestMainWindow::noTwoActionsHaveOneKey()

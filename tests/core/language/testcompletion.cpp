@@ -18,7 +18,10 @@ namespace romanesco::test {
 
 namespace {
 
-const std::vector<std::string> folder{"cube.obj", "Cliff.fdo", "parts/bud.OBJ", "picture.png", "cup.obj", "a\"b.obj"};
+std::vector<std::string> folder()
+{
+    return {"cube.obj", "Cliff.fdo", "parts/bud.OBJ", "picture.png", "cup.obj", "a\"b.obj"};
+}
 
 /// Two vectors, transformations, objects and recursives, then the line that is written.
 std::string after(const std::string &line)
