@@ -18,6 +18,7 @@
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
 #include "exportdialog.h"
+#include "keylist.h"
 #include "messagestrip.h"
 #include "parameterspane.h"
 #include "problemsview.h"
@@ -174,6 +175,7 @@ void MainWindow::connectViewActions()
     connect(m_actions.rebuild, &QAction::triggered, this, &MainWindow::rebuild);
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
+    connect(m_actions.keys, &QAction::triggered, this, [this] { showKeyList(*this); });
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
 

@@ -53,6 +53,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , textures(makeAction(window, tr("&Textures")))
     , smooth(makeAction(window, tr("&Smooth Shading")))
     , fullScreen(makeAction(window, tr("&Full Screen"), Qt::Key_F11))
+    , keys(makeAction(window, tr("&Keys"), Qt::Key_F1))
     , about(makeAction(window, tr("&About Romanesco")))
 {
     for (const QString &words : {tr("&Materials"), tr("&Depth"), tr("&Branch"), tr("S&et")}) {
@@ -120,7 +121,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     window->addAction(fullScreen);
     window->addSeparator();
 
-    bar.addMenu(tr("&Help"))->addAction(about);
+    bar.addMenu(tr("&Help"))->addActions({keys, about});
     return {file, end, recent, edit, go, view, examples, window};
 }
 

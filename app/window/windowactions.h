@@ -68,6 +68,7 @@ public:
     QAction *smooth;
 
     QAction *fullScreen;
+    QAction *keys;
     QAction *about;
 };
 

@@ -47,6 +47,15 @@ struct WindowSample {
     }
     /// That of the tool bar.
     [[nodiscard]] QSlider &depthSlider() const { return *window.findChild<QToolBar *>()->findChild<QSlider *>(); }
+    /// So that keys come to it; only a window that is there can be active.
+    bool waitUntilActive()
+    {
+        if (!QTest::qWaitForWindowExposed(&window)) {
+            return false;
+        }
+        window.activateWindow();
+        return QTest::qWaitForWindowActive(&window);
+    }
     bool waitForPicture() const
     {
         return QTest::qWaitFor([&] { return drawn > 0 && viewport.isPictureFinished(); }, 120'000);
