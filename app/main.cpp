@@ -13,6 +13,7 @@
 #include "cli/commandline.h"
 #include "cli/output.h"
 #include "window/mainwindow.h"
+#include "window/preferences.h"
 
 namespace {
 
@@ -61,6 +62,7 @@ int runEditor(int argc, char *argv[], const QString &file)
         return cli::CannotDo;
     }
 
+    applyAppearance(Preferences::read().appearance);
     MainWindow window;
     const bool isOpen = file.isEmpty() ? window.openSession() : window.openFile(file);
     if (!isOpen) {

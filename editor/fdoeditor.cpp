@@ -244,6 +244,14 @@ void FdoEditor::sayAtCursor(const QString &sentence)
     QToolTip::showText(viewport()->mapToGlobal(cursorRect().bottomLeft()), sentence, viewport());
 }
 
+void FdoEditor::setUsualFont(QFont usual)
+{
+    const qreal zoomed = font().pointSizeF() - m_usualPointSize;
+    m_usualPointSize = usual.pointSizeF();
+    usual.setPointSizeF(std::clamp(m_usualPointSize + zoomed, leastPointSize, greatestPointSize));
+    setFont(usual);
+}
+
 void FdoEditor::zoomBy(int points)
 {
     QFont larger = font();
@@ -419,6 +427,7 @@ void FdoEditor::applyTheme()
     m_highlighter->setTheme(m_theme);
     m_highlighter->rehighlight();
     updateSelections();
+    markBrackets();
 }
 
 void FdoEditor::layOutMargin()

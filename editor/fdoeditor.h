@@ -71,6 +71,8 @@ public:
     /// The first problem after the cursor, from the end on again from the start.
     void goToNextProblem();
 
+    /// The font without zoom; how far it is zoomed stays.
+    void setUsualFont(QFont font);
     /// Larger or smaller by so many points; the size stays between 4 and 96.
     void zoomBy(int points);
     void resetZoom();

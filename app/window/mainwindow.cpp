@@ -21,6 +21,7 @@
 #include "keylist.h"
 #include "messagestrip.h"
 #include "parameterspane.h"
+#include "preferencesdialog.h"
 #include "problemsview.h"
 #include "recoverydialog.h"
 #include "statusline.h"
@@ -102,6 +103,8 @@ void MainWindow::createMenus()
     const WindowActions::OpenMenus menus = m_actions.fill(*menuBar());
     menus.file->insertActions(menus.endOfFiles, {m_pictureActions.save(), m_pictureActions.copy()});
     m_textActions.fillEdit(*menus.edit);
+    menus.edit->addSeparator();
+    menus.edit->addAction(m_actions.preferences);
     m_textActions.fillGo(*menus.go);
     m_textActions.fillView(*menus.view);
     const QStringList kinds{QStringLiteral("*.fdo"), QStringLiteral("*.sdo")};
@@ -174,6 +177,7 @@ void MainWindow::connectViewActions()
     connect(m_actions.pin, &QAction::toggled, m_tabs, &TextTabs::setPinned);
     connect(m_actions.rebuild, &QAction::triggered, this, &MainWindow::rebuild);
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
+    connect(m_actions.preferences, &QAction::triggered, this, &MainWindow::showPreferences);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeyList(*this); });
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
@@ -227,7 +231,7 @@ void MainWindow::openExample()
 
 bool MainWindow::openSession()
 {
-    return m_tabs->restore();
+    return Preferences::read().reopensTexts && m_tabs->restore();
 }
 
 void MainWindow::offerLostTexts()
@@ -517,6 +521,14 @@ void MainWindow::goToFile(const QString &file, TextPosition position)
 void MainWindow::setFullScreen(bool isFull)
 {
     setWindowState(isFull ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+}
+
+void MainWindow::showPreferences()
+{
+    auto *dialog = new PreferencesDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &PreferencesDialog::changed, m_tabs, &TextTabs::setPreferences);
+    dialog->open();
 }
 
 void MainWindow::showAbout()

@@ -42,7 +42,7 @@ public:
     bool openFile(const QString &path);
     /// The fractal that the program starts with.
     void openExample();
-    /// What was open when the program ended last; false where that was nothing.
+    /// What was open when the program ended last; false where that was nothing, or the user would rather not.
     bool openSession();
     /// Looks in the background for texts that were not saved when the program ended last, and offers them.
     void offerLostTexts();
@@ -89,6 +89,7 @@ private:
     bool openBeside(const QString &file);
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
+    void showPreferences();
     void showAbout();
     /// The one that is looked at, and the one whose picture is.
     [[nodiscard]] TextTab &tab() const { return *m_tab; }

@@ -11,8 +11,18 @@ namespace romanesco {
 
 namespace {
 
-const QColor background(0x3b, 0x33, 0x26);
-const QColor ink(0xec, 0xdc, 0xb4);
+struct Colours {
+    QColor background;
+    QColor ink;
+};
+
+/// Of notes, quiet and warm, on light and on dark.
+Colours coloursFor(const QPalette &palette)
+{
+    const bool isDark = palette.color(QPalette::Base).lightness() < 128;
+    return isDark ? Colours{QColor(0x3b, 0x33, 0x26), QColor(0xec, 0xdc, 0xb4)}
+                  : Colours{QColor(0xfa, 0xef, 0xcf), QColor(0x54, 0x41, 0x12)};
+}
 
 }
 
@@ -20,13 +30,7 @@ MessageStrip::MessageStrip(Closing closing, QWidget *parent)
     : QFrame(parent)
     , m_label(new QLabel)
 {
-    QPalette colours = palette();
-    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::ButtonText}) {
-        colours.setColor(role, ink);
-    }
-    colours.setColor(QPalette::Window, background);
-    colours.setColor(QPalette::Button, background);
-    setPalette(colours);
+    colour();
     setAutoFillBackground(true);
 
     m_label->setWordWrap(true);
@@ -51,17 +55,46 @@ MessageStrip::MessageStrip(Closing closing, QWidget *parent)
     hide();
 }
 
+void MessageStrip::changeEvent(QEvent *event)
+{
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        colour();
+        showText();
+    }
+}
+
+void MessageStrip::colour()
+{
+    const auto [background, ink] = coloursFor(palette());
+    if (palette().color(QPalette::Window) == background) {
+        return; // what changed is this
+    }
+    QPalette colours;
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::ButtonText}) {
+        colours.setColor(role, ink);
+    }
+    colours.setColor(QPalette::Window, background);
+    colours.setColor(QPalette::Button, background);
+    setPalette(colours);
+}
+
 void MessageStrip::say(const QString &text, bool isLink)
 {
     m_text = text;
     m_isLink = isLink;
-    // Names and messages may hold anything: never taken as markup.
-    m_label->setTextFormat(isLink ? Qt::RichText : Qt::PlainText);
-    const QString link = QStringLiteral("<a href=\"#\" style=\"text-decoration: none; color: %1\">%2</a>");
-    m_label->setText(isLink ? link.arg(ink.name(), text.toHtmlEscaped()) : text);
+    showText();
     setAccessibleName(text);
     setCursor(isLink ? Qt::PointingHandCursor : Qt::ArrowCursor);
     show();
+}
+
+void MessageStrip::showText()
+{
+    // Names and messages may hold anything: never taken as markup.
+    m_label->setTextFormat(m_isLink ? Qt::RichText : Qt::PlainText);
+    const QString link = QStringLiteral("<a href=\"#\" style=\"text-decoration: none; color: %1\">%2</a>");
+    m_label->setText(m_isLink ? link.arg(coloursFor(palette()).ink.name(), m_text.toHtmlEscaped()) : m_text);
 }
 
 void MessageStrip::fallSilent()

@@ -30,9 +30,13 @@ Q_SIGNALS:
     void closed(const QString &text);
 
 protected:
+    void changeEvent(QEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
 
 private:
+    void colour();
+    void showText();
+
     QString m_text;
     bool m_isLink = false;
     QLabel *m_label;

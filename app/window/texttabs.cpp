@@ -76,6 +76,7 @@ TextTab &TextTabs::addText()
 {
     auto *tab = new TextTab(m_journals, m_watch, m_unsaved);
     addTab(tab, tab->document().name());
+    applyTo(tab->editor());
     connect(&tab->document(), &Document::nameChanged, this, [this, tab] { updateName(*tab); });
     connect(&tab->document(), &Document::modifiedChanged, this, [this, tab] { updateName(*tab); });
     for (const auto change : {&Document::nameChanged, &Document::textChanged}) {
@@ -311,6 +312,20 @@ bool TextTabs::mayCloseAll()
         }
     }
     return true;
+}
+
+void TextTabs::setPreferences(const Preferences &preferences)
+{
+    m_preferences = preferences;
+    for (int i = 0; i < count(); ++i) {
+        applyTo(tab(i).editor());
+    }
+}
+
+void TextTabs::applyTo(FdoEditor &editor) const
+{
+    editor.setUsualFont(m_preferences.editorFont());
+    editor.setLineWrapMode(m_preferences.wrapsLines ? QPlainTextEdit::WidgetWidth : QPlainTextEdit::NoWrap);
 }
 
 void TextTabs::goToNext(int step)

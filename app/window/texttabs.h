@@ -6,11 +6,13 @@
 
 #include "filewatch.h"
 #include "journal.h"
+#include "preferences.h"
 #include "resourcefiles.h"
 #include "unsavedtexts.h"
 
 namespace romanesco {
 
+class FdoEditor;
 class TextTab;
 struct LostText;
 
@@ -42,6 +44,8 @@ public:
     /// Whether they may all; where one may not, none is closed.
     [[nodiscard]] bool mayCloseAll();
     void goToNext(int step);
+    /// Of all texts, also those to come.
+    void setPreferences(const Preferences &preferences);
 
     /// The picture stays with the current text while others are looked at, or no more.
     void setPinned(bool isPinned);
@@ -70,6 +74,7 @@ Q_SIGNALS:
 
 private:
     TextTab &addText();
+    void applyTo(FdoEditor &editor) const;
     [[nodiscard]] QString askWhereTo();
     [[nodiscard]] bool isFree(const QString &path);
     void updateName(const TextTab &tab);
@@ -81,6 +86,7 @@ private:
     [[nodiscard]] bool saveNow(TextTab &tab);
     [[nodiscard]] int indexOfFile(const QString &path) const;
 
+    Preferences m_preferences = Preferences::read();
     FileWatch m_watch;
     JournalSession m_journals;
     ResourceFiles m_files;

@@ -48,6 +48,8 @@ public:
     QAction *previousTab;
     QAction *quit;
 
+    QAction *preferences;
+
     QAction *fit;
     QAction *resetView;
     QAction *front;

@@ -26,6 +26,7 @@ struct Folders {
     Folders()
     {
         qputenv("XDG_STATE_HOME", QFile::encodeName(home.filePath(QStringLiteral("state"))));
+        qputenv("XDG_CONFIG_HOME", QFile::encodeName(home.filePath(QStringLiteral("config"))));
         qputenv("XDG_DATA_HOME", QFile::encodeName(home.filePath(QStringLiteral("data"))));
     }
     [[nodiscard]] QString path(const QString &name) const { return own.filePath(name); }

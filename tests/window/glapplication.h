@@ -9,13 +9,14 @@
 
 namespace romanesco::test {
 
-/// Runs a test class as the program runs, with OpenGL 4.5, and with its state in a folder of its own. With "embedded" in the
+/// Runs a test class as the program runs, with OpenGL 4.5, and with its state and settings in a folder of its own. With "embedded" in the
 /// environment's ROMANESCO_TEST_OPENGL, with OpenGL ES.
 template<typename Class>
 int runWithGl(int argc, char **argv, bool sharesContexts = true)
 {
-    const QTemporaryDir state;
-    qputenv("XDG_STATE_HOME", QFile::encodeName(state.path()));
+    const QTemporaryDir home;
+    qputenv("XDG_STATE_HOME", QFile::encodeName(home.path()));
+    qputenv("XDG_CONFIG_HOME", QFile::encodeName(home.path()));
     QSurfaceFormat format;
     format.setVersion(4, 5);
     format.setProfile(QSurfaceFormat::CoreProfile);
