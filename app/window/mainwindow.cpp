@@ -147,6 +147,9 @@ void MainWindow::connectFileActions()
     connect(m_actions.closeTab, &QAction::triggered, this, [this] { m_tabs->closeTab(m_tabs->currentIndex()); });
     connect(m_actions.nextTab, &QAction::triggered, this, [this] { m_tabs->goToNext(1); });
     connect(m_actions.previousTab, &QAction::triggered, this, [this] { m_tabs->goToNext(-1); });
+    const auto goToPart = [this](int step) { m_panels.goToNext({&tab().editor(), &m_viewport}, step); };
+    connect(m_actions.nextPart, &QAction::triggered, this, [goToPart] { goToPart(1); });
+    connect(m_actions.previousPart, &QAction::triggered, this, [goToPart] { goToPart(-1); });
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_tabs, &TextTabs::currentTabChanged, this, &MainWindow::takeTab);
     connect(m_tabs, &TextTabs::currentNamed, this, &MainWindow::showTitle);

@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "panels.h"
 
+#include <algorithm>
+
+#include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenu>
@@ -53,6 +56,25 @@ void Panels::layOut()
     }
     m_problemsDock->raise();
     m_window.resizeDocks({m_problemsDock}, {120}, Qt::Vertical);
+}
+
+void Panels::goToNext(QList<QWidget *> parts, int step) const
+{
+    for (const QDockWidget *dock : m_docks) {
+        if (!dock->visibleRegion().isEmpty()) { // behind another one it is hidden in all but name
+            parts << dock->widget();
+        }
+    }
+    const QWidget *now = QApplication::focusWidget();
+    const auto has = [now](const QWidget *part) { return part == now || part->isAncestorOf(now); };
+    const auto count = parts.size();
+    const auto place = std::ranges::find_if(parts, has) - parts.begin();
+    QWidget *next = parts[place == count ? 0 : (place + step + count) % count];
+    while (next->focusPolicy() == Qt::NoFocus && next->nextInFocusChain()
+           && next->isAncestorOf(next->nextInFocusChain())) {
+        next = next->nextInFocusChain();
+    }
+    next->setFocus(Qt::TabFocusReason);
 }
 
 void Panels::showProblems(const QString &file, const Preview &preview)

@@ -32,6 +32,8 @@ public:
     void fill(QMenu &window) const;
     /// As at the first start.
     void layOut();
+    /// Gives the keyboard to the next of these and of the panels that are to be seen, from where it is.
+    void goToNext(QList<QWidget *> parts, int step) const;
     /// What is wrong with a text of that name, and how much in the dock's title.
     void showProblems(const QString &file, const Preview &preview);
 

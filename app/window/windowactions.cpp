@@ -53,6 +53,8 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , lighting(makeAction(window, tr("&Lighting")))
     , textures(makeAction(window, tr("&Textures")))
     , smooth(makeAction(window, tr("&Smooth Shading")))
+    , nextPart(makeAction(window, tr("Next &Part"), Qt::Key_F7))
+    , previousPart(makeAction(window, tr("Previous P&art"), Qt::SHIFT | Qt::Key_F7))
     , fullScreen(makeAction(window, tr("&Full Screen"), Qt::Key_F11))
     , keys(makeAction(window, tr("&Keys"), Qt::Key_F1))
     , about(makeAction(window, tr("&About Romanesco")))
@@ -117,7 +119,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     QMenu *go = bar.addMenu(tr("&Go"));
 
     QMenu *window = bar.addMenu(tr("&Window"));
-    window->addActions({nextTab, previousTab});
+    window->addActions({nextTab, previousTab, nextPart, previousPart});
     window->addSeparator();
     window->addAction(fullScreen);
     window->addSeparator();

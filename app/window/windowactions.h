@@ -69,6 +69,8 @@ public:
     QAction *textures;
     QAction *smooth;
 
+    QAction *nextPart;
+    QAction *previousPart;
     QAction *fullScreen;
     QAction *keys;
     QAction *about;

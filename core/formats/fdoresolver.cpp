@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "fdomodel.h"
 
+#include <algorithm>
 #include <format>
 #include <limits>
 #include <utility>
 
 #include "core/text/places.h"
+#include "core/text/spelling.h"
 
 namespace romanesco {
 
@@ -16,6 +18,10 @@ std::string plural(std::size_t count, const char *noun)
 {
     return std::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
+
+/// In a text with more to put right nobody looks on for what each word was to be.
+constexpr std::size_t mostLooksForNames = 100'000;
+constexpr std::size_t longestCompared = 40;
 
 class Resolver
 {
@@ -246,6 +252,7 @@ private:
             if (symbol.kind != SymbolKind::Undeclared) {
                 unknown.notes.push_back(declaredHere(symbol.line));
             }
+            suggest(unknown, reference.word, SymbolKind::Vector, SymbolKind::Vector);
             return false;
         }
         if (symbol.repeatLine != Symbol::never) {
@@ -257,6 +264,31 @@ private:
         }
         index = symbol.index;
         return !m_model.vectors[index].isBad;
+    }
+
+    /// The name of one of two kinds, declared above, that a word is most like, where it is like one.
+    void suggest(Diagnostic &diagnostic, const Word &word, SymbolKind kind, SymbolKind otherKind)
+    {
+        const std::string_view written = m_syntax.names()[word.name];
+        std::size_t fewest = mostSlips(written) + 1;
+        NameId best = NameTable::nameless;
+        for (NameId id = 0; id < m_model.symbols.size() && m_looksForNames > 0; ++id, --m_looksForNames) {
+            const Symbol &symbol = m_model.symbols[id];
+            const std::string_view name = m_syntax.names()[id];
+            const std::size_t lengths = std::max(name.size(), written.size()) - std::min(name.size(), written.size());
+            if ((symbol.kind != kind && symbol.kind != otherKind) || lengths >= fewest
+                || name.size() > longestCompared) {
+                continue;
+            }
+            if (const std::size_t slips = slipsBetween(name, written); slips < fewest) {
+                fewest = slips;
+                best = id;
+            }
+        }
+        if (best != NameTable::nameless) {
+            const std::string name(m_syntax.names()[best]);
+            diagnostic.fix = replacement(std::format("Write {}", name), inText(word.range), name);
+        }
     }
 
     void reportNumber(const VectorReference &reference)
@@ -279,7 +311,7 @@ private:
         Symbol &symbol = m_model.symbols[name.name];
         symbol.isUsed = true;
         if (symbol.kind == SymbolKind::Undeclared) {
-            report(DiagnosticCode::UnknownName, name.range, {m_syntax.name(name)});
+            suggest(report(DiagnosticCode::UnknownName, name.range, {m_syntax.name(name)}), name, kind, otherKind);
             return nullptr;
         }
         if (symbol.isBad) { // what was meant is a guess
@@ -451,6 +483,7 @@ private:
     std::uint32_t m_line = 0;
     /// Whether an error of this line was reported.
     bool m_isTold = false;
+    std::size_t m_looksForNames = mostLooksForNames;
 };
 
 }

@@ -11,7 +11,7 @@
 
 using namespace romanesco;
 using Sample = romanesco::test::WindowSample;
-using Appearance = Preferences::Appearance;
+using Choice = Preferences::Appearance;
 
 namespace {
 
@@ -67,7 +67,7 @@ private:
 
 void TestPreferences::whatIsWrittenIsRead()
 {
-    const Preferences written{Appearance::Dark, QStringLiteral("Größe & Co"), 17, false, false};
+    const Preferences written{Choice::Dark, QStringLiteral("Größe & Co"), 17, false, false};
     written.write();
     QCOMPARE(Preferences::read(), written);
     Preferences().write();
@@ -104,7 +104,7 @@ void TestPreferences::lightAndDarkAreFollowedByAll()
 
     appearance->setFocus();
     QTest::keyClick(appearance, Qt::Key_End);
-    QCOMPARE(Preferences::read().appearance, Appearance::Dark);
+    QCOMPARE(Preferences::read().appearance, Choice::Dark);
     QVERIFY(lightness(sample.editor, QPalette::Base) < 80);
     QVERIFY(ground(sample.editor).lightness() < 80);
     QVERIFY(sample.editor.colour(KSyntaxHighlighting::Theme::CurrentLine).lightness() < 80);
@@ -112,7 +112,7 @@ void TestPreferences::lightAndDarkAreFollowedByAll()
     QVERIFY(lightness(strip, QPalette::WindowText) > 176);
 
     QTest::keyClick(appearance, Qt::Key_Up);
-    QCOMPARE(Preferences::read().appearance, Appearance::Light);
+    QCOMPARE(Preferences::read().appearance, Choice::Light);
     QVERIFY(lightness(sample.editor, QPalette::Base) > 176);
     QVERIFY(ground(sample.editor).lightness() > 176);
     QVERIFY(sample.editor.colour(KSyntaxHighlighting::Theme::CurrentLine).lightness() > 176);
@@ -120,7 +120,7 @@ void TestPreferences::lightAndDarkAreFollowedByAll()
     QVERIFY(lightness(strip, QPalette::WindowText) < 80);
 
     QTest::keyClick(appearance, Qt::Key_Up);
-    QCOMPARE(Preferences::read().appearance, Appearance::System);
+    QCOMPARE(Preferences::read().appearance, Choice::System);
     QCOMPARE(lightness(sample.editor, QPalette::Base), system);
 }
 

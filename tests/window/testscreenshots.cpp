@@ -46,8 +46,8 @@ struct Scenery : Sample {
     {
         QTest::qWait(300); // for what fades in
         const QPixmap seen = window.screen()->grabWindow(0, 0, 0, 1280, 800);
-        const QString folder = qEnvironmentVariable("ROMANESCO_SCREENSHOTS");
-        if (!folder.isEmpty() && !seen.save(QDir(folder).filePath(name + QStringLiteral(".png")))) {
+        const QString kept = qEnvironmentVariable("ROMANESCO_SCREENSHOTS");
+        if (!kept.isEmpty() && !seen.save(QDir(kept).filePath(name + QStringLiteral(".png")))) {
             qWarning("cannot write %s", qPrintable(name));
             return false;
         }
