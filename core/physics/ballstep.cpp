@@ -79,22 +79,33 @@ void BallStep::setClearance(double clearance)
     m_ball.clearance = std::max(m_ball.clearance, clearance - m_rounding);
 }
 
+bool BallStep::pushOnce()
+{
+    const double clearance = m_ball.clearance;
+    const glm::dvec3 from = m_ball.position;
+    const bool isOnSurface = clearance <= 8.0 * m_rounding;
+    const double wanted = isOnSurface ? m_skin : m_radius + standOff * m_skin - clearance;
+    const glm::dvec3 way = wanted * m_nearest.direction;
+    // where the centre lies on it, nothing can be swept
+    const double share = isOnSurface
+        ? 1.0
+        : m_probe.freeShare(from, way, std::min(m_radius, clearance * (1.0 - 1e-9) - 4.0 * m_rounding));
+    moveTo(from + share * way, share * wanted);
+    measure(m_skin + m_rounding);
+    if (m_ball.clearance > clearance) {
+        return true;
+    }
+    // something else is as near on the other side
+    m_ball.position = from;
+    measure(m_skin + m_rounding);
+    return false;
+}
+
 void BallStep::pushOut()
 {
     const double before = glm::dot(m_laws.gravity, m_ball.position);
     for (int push = 0; push < mostPushes && room() < leastStandOff * m_skin && !m_probe.isExhausted(); ++push) {
-        const double clearance = m_ball.clearance;
-        const double wanted = m_radius + standOff * m_skin - clearance;
-        const glm::dvec3 way = wanted * m_nearest.direction;
-        const double free = std::max(0.0, std::min(m_radius, clearance * (1.0 - 1e-9) - 4.0 * m_rounding));
-        const double share = m_probe.freeShare(m_ball.position, way, free);
-        const glm::dvec3 from = m_ball.position;
-        moveTo(from + share * way, share * wanted);
-        measure(m_skin + m_rounding);
-        if (m_ball.clearance <= clearance) {
-            // something else is as near on the other side
-            m_ball.position = from;
-            measure(m_skin + m_rounding);
+        if (!pushOnce()) {
             break;
         }
     }

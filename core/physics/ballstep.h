@@ -79,6 +79,9 @@ public:
     void pushOut();
 
 private:
+    /// Along the direction, as far as that is free. Whether it has more room than before.
+    bool pushOnce();
+
     BallState &m_ball;
     const Laws &m_laws;
     Probe &m_probe;

@@ -184,7 +184,8 @@ private:
         const double room = m_step.room();
         const double stand = standOff * (room > 0.0 ? std::min(room, m_step.skin()) : m_step.skin());
         // how near it is to what it may touch at once is not asked before it does
-        const Chord chord = nextChord(m_step.isMeasured() ? room - stand : std::numeric_limits<double>::infinity());
+        const Chord chord =
+            nextChord(m_step.isMeasured() ? std::max(0.0, room - stand) : std::numeric_limits<double>::infinity());
         if (chord.length == 0.0) {
             advance(m_step.left(), 0.0); // too little to be told
             return true;

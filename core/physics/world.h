@@ -18,7 +18,7 @@ class World
 {
 public:
     struct Options {
-        Laws laws;
+        Laws laws = {};
         /// Radii shrink by so much a second, as the power of e: to a billionth at most. Not negative.
         double shrinkRate = 0.0;
         /// Steps as the dissertation's, which tunnel.
