@@ -92,7 +92,7 @@ bool BallStep::pushOnce()
         : m_probe.freeShare(from, way, std::min(m_radius, clearance * (1.0 - 1e-9) - 4.0 * m_rounding));
     moveTo(from + share * way, share * wanted);
     measure(m_skin + m_rounding);
-    if (m_ball.clearance > clearance) {
+    if (m_ball.clearance > clearance || isOnSurface) {
         return true;
     }
     // something else is as near on the other side

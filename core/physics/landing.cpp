@@ -41,6 +41,17 @@ bool isLeftOut(const BallStep &step, Supports supports, const glm::dvec3 &n, dou
     return pull > 0.0 && 2.0 * speed < step.laws().timeStep * pull * (1.0 - step.ball().restitution);
 }
 
+/// v after it has hit planes, all at once: what goes against them is turned round (Moreau 1988).
+glm::dvec3 bounced(const BallStep &step, const glm::dvec3 &v, const Supports &planes)
+{
+    const BallState &ball = step.ball();
+    const glm::dvec3 along = planes.allowed(v);
+    const bool isAllLeftOut = std::ranges::all_of(planes.directions(), [&](const glm::dvec3 &n) {
+        return isLeftOut(step, ball.supports, n, -ball.restitution * glm::dot(v, n));
+    });
+    return isAllLeftOut ? leaning(along, planes, 4.0 * step.tilt()) : along - ball.restitution * (v - along);
+}
+
 /// Takes what the ball would leave with only to be back at once. Whether there was any of that.
 bool takeLeftOut(BallStep &step, const Supports &touching)
 {
@@ -102,6 +113,9 @@ void land(BallStep &step)
     BallState &ball = step.ball();
     glm::dvec3 &v = ball.velocity;
     Supports seen;
+    // What the ball moves against before it bounces is hit at once, in whatever order it is found.
+    glm::dvec3 before = v;
+    Supports atOnce;
     Supports touching = ball.supports;
     touching.add(step.direction());
     glm::dvec3 n = step.direction();
@@ -118,15 +132,20 @@ void land(BallStep &step)
             n = ahead.direction;
         }
         isOver = true;
-        const double along = glm::dot(v, n);
         const bool isNew = !seen.holds(n);
         if (!seen.add(n) || response + 1 == mostResponses) {
             v = glm::dvec3(0.0); // wedged
             break;
         }
         touching.add(n);
-        if (isNew && along < 0.0 && !isLeftOut(step, ball.supports, n, -ball.restitution * along)) {
-            v -= (1.0 + ball.restitution) * along * n;
+        if (isNew && glm::dot(v, n) < 0.0) {
+            if (glm::dot(before, n) >= 0.0) {
+                // it is only the bounce that brings the ball there
+                before = v;
+                atOnce.clear();
+            }
+            atOnce.add(n);
+            v = bounced(step, before, atOnce);
         } else {
             v = leaning(seen.allowed(v), seen, 4.0 * step.tilt());
         }

@@ -83,7 +83,7 @@ void TestWorld::stepsAreTheSameBytesEverywhere()
         for (int step = 0; step < 600; ++step) {
             world.step();
         }
-        QCOMPARE(QString::number(world.stateHash(), 16), QStringLiteral("355f5533e0d7ab13"));
+        QCOMPARE(QString::number(world.stateHash(), 16), QStringLiteral("b01e4f978dce1c75"));
     });
     QVERIFY(sets > 0);
 }
@@ -195,7 +195,7 @@ void TestWorld::aShrinkingBallFallsThrough()
     Ground ground({{.model = model, .worldFromModel = mapFromParts({-1.05, 0, 0}, {}, {1, 1, 1})},
                    {.model = model, .worldFromModel = mapFromParts({1.05, 0, 0}, {}, {1, 1, 1})}});
     World world(ground.surface, {.shrinkRate = 1, .threads = 1});
-    world.add({.position = {0, 1.3, 0}, .radius = 0.2, .restitution = 0.3});
+    world.add({.position = {0, 1.3, 0}, .radius = 0.2, .restitution = 0});
     double radiusBelow = 0;
     for (int step = 0; step < 720; ++step) {
         world.step();
@@ -220,13 +220,15 @@ void TestWorld::asInTheDissertationEnergyIsLost()
     for (int i = 0; i < heights; ++i) {
         World world(ground.surface, {.laws = laws, .isAsInDissertation = true, .threads = 1});
         const double height = 10 + 3.0 * i / heights;
-        world.add({.position = {0.1, 0.1 + height, 0.2}, .radius = 0.1, .restitution = 1});
-        for (unsigned bounces = 0; bounces < 10;) {
+        world.add({.position = {0.1, 0.5 + height, 0.2}, .radius = 0.5, .restitution = 1});
+        unsigned bounces = 0;
+        for (int step = 0; step < 10'000 && bounces < 10; ++step) {
             world.step();
             bounces += world.reports()[0].contacts;
         }
+        QCOMPARE(bounces, 10u);
         const BallState &ball = world.balls()[0];
-        lost += 1 - (energyOf(ball, laws) - 9.8 * 0.1) / (9.8 * height);
+        lost += 1 - (energyOf(ball, laws) - 9.8 * 0.5) / (9.8 * height);
     }
     lost /= heights;
     QVERIFY2(lost > 0.05 && lost < 0.2, qPrintable(QString::number(lost)));
