@@ -350,12 +350,12 @@ void TestMainWindow::theLayoutIsRemembered()
 {
     {
         Sample sample;
-        sample.window.resize(1000, 650);
+        sample.window.resize(800, 450);
         QVERIFY(QTest::qWaitForWindowExposed(&sample.window));
         QVERIFY(sample.window.close());
     }
     MainWindow again;
-    QCOMPARE(again.size(), QSize(1000, 650));
+    QCOMPARE(again.size(), QSize(800, 450));
 }
 
 void TestMainWindow::buttonsTellTheirKeys()

@@ -405,7 +405,8 @@ int clicksThatAreSeen(Sample &sample, std::initializer_list<QPoint> places)
         sample.drag(Qt::LeftButton, Qt::NoModifier, place, place);
         const auto selected = sample.viewport.appearance().colours.selection;
         const bool isSelected = selected && !selected->steps.empty() && sample.waitForPicture();
-        const QRect there(place - QPoint(1, 1), QSize(3, 3));
+        const qreal ratio = sample.viewport.devicePixelRatioF();
+        const QRect there((place - QPoint(1, 1)) * ratio, QSize(3, 3) * ratio);
         seen += isSelected && sample.viewport.grabFramebuffer().copy(there) != before.copy(there) ? 1 : 0;
     }
     return seen;
@@ -449,7 +450,7 @@ void TestViewport::theWheelGoesIntoTheSurface()
     QVERIFY2(depth + 8 > expected && depth < expected + 8, qPrintable(QString::number(depth)));
     QVERIFY(sample.waitForPicture());
     QVERIFY(brightShare(sample.viewport.grabFramebuffer()) > 0.02);
-    QVERIFY(clicksThatAreSeen(sample, {{80, 60}, {100, 90}}) >= 1);
+    QVERIFY(clicksThatAreSeen(sample, {{80, 60}, {100, 90}, {60, 80}, {90, 70}, {70, 90}}) >= 1);
     sample.viewport.fit();
     QVERIFY(sample.viewport.view().surroundings()->path.size() < 3);
 }
@@ -474,7 +475,7 @@ void TestViewport::aClickLetsACopyStandOut()
     QVERIFY(!sample.viewport.appearance().colours.selection);
     QVERIFY(sample.waitForPicture());
     QVERIFY(isLike(sample.viewport.grabFramebuffer(), before));
-    QVERIFY(clicksThatAreSeen(sample, {{80, 60}, {100, 90}}) >= 1);
+    QVERIFY(clicksThatAreSeen(sample, {{80, 60}, {100, 90}, {60, 80}, {90, 70}, {70, 90}}) >= 1);
     sample.viewport.setScene(exampleScene("menger.fdo"));
     QVERIFY2(!sample.viewport.appearance().colours.selection, "of another scene");
 }
