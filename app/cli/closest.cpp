@@ -12,6 +12,7 @@
 
 #include <QCommandLineParser>
 
+#include "colliderchoice.h"
 #include "core/formats/numbers.h"
 #include "core/formats/numbertext.h"
 #include "core/scene/scenecollider.h"
@@ -27,14 +28,7 @@ struct Options {
     QCommandLineOption points{QStringLiteral("points"),
                               QStringLiteral("The points to ask from, \"x y z\" a line; - is stdin."),
                               QStringLiteral("PTS")};
-    QCommandLineOption collider{
-        QStringLiteral("collider"),
-        QStringLiteral("How to search: exact (the default), approximate, greedy, octree, bvh or simple."),
-        QStringLiteral("KIND"), QStringLiteral("exact")};
-    QCommandLineOption tolerance{
-        QStringLiteral("tolerance"),
-        QStringLiteral("Distances found by approximate are at most 1 + EPS times the least (default: 0.001)."),
-        QStringLiteral("EPS"), QStringLiteral("1e-3")};
+    ColliderChoice collider;
     QCommandLineOption within{QStringLiteral("within"),
                               QStringLiteral("Look no farther; where nothing is nearer the distance is inf."),
                               QStringLiteral("R")};
@@ -52,14 +46,6 @@ struct Wanted {
     QString points;
 };
 
-/// The number that an option has.
-std::optional<double> numberOf(const QCommandLineParser &parser, const QCommandLineOption &option)
-{
-    const ParsedNumber number = numberFromText(parser.value(option).toStdString());
-    const bool isUnderstood = number.status == NumberStatus::Good || number.status == NumberStatus::Underflow;
-    return isUnderstood && number.value >= 0.0 ? std::optional(number.value) : std::nullopt;
-}
-
 /// Complains where the options make no sense.
 std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &options, const QString &file)
 {
@@ -75,23 +61,11 @@ std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &
     if (wanted.points == QLatin1String("-") && file == wanted.points) {
         return wrong(QStringLiteral("stdin can be read once only"));
     }
-    const QString name = parser.value(options.collider);
-    const std::optional<ColliderKind> kind = colliderKind(name.toStdString());
-    if (!kind) {
-        return wrong(
-            QStringLiteral("--collider takes exact, approximate, greedy, octree, bvh or simple, not \"%1\"").arg(name));
+    const auto collider = options.collider.chosen(parser);
+    if (!collider) {
+        return std::nullopt;
     }
-    wanted.collider.kind = *kind;
-    const bool isApproximate = *kind == ColliderKind::Approximate;
-    if (parser.isSet(options.tolerance) && !isApproximate) {
-        return wrong(QStringLiteral("only --collider approximate has a tolerance"));
-    }
-    const std::optional<double> tolerance = numberOf(parser, options.tolerance);
-    if (!tolerance) {
-        return wrong(
-            QStringLiteral("--tolerance takes a number from 0 on, not \"%1\"").arg(parser.value(options.tolerance)));
-    }
-    wanted.collider.excess = *tolerance;
+    wanted.collider = *collider;
     const std::optional<double> within = numberOf(parser, options.within);
     if (parser.isSet(options.within) && !within) {
         return wrong(QStringLiteral("--within takes a number from 0 on, not \"%1\"").arg(parser.value(options.within)));
@@ -103,7 +77,7 @@ std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &
             return wrong(QStringLiteral("--max-nodes takes a whole number from 1 on, not \"%1\"")
                              .arg(parser.value(options.maxNodes)));
         }
-        if (*kind != ColliderKind::Exact && !isApproximate) {
+        if (collider->kind != ColliderKind::Exact && collider->kind != ColliderKind::Approximate) {
             return wrong(QStringLiteral("only --collider exact and approximate have a limit of nodes"));
         }
         wanted.query.nodeBudget = *nodes;
@@ -251,8 +225,8 @@ int runClosest(const QStringList &arguments)
         "promise: exact; within X, at most 1 + X times the least; upper, of a point that may not be the "
         "nearest; none."));
     const Options options;
-    parser.addOptions({options.points, options.collider, options.tolerance, options.within, options.maxNodes,
-                       depthOption(), options.quiet});
+    parser.addOptions({options.points, options.within, options.maxNodes, depthOption(), options.quiet});
+    options.collider.addTo(parser);
     const auto file = parseArguments(parser, "closest", arguments);
     if (!file) {
         return file.error();

@@ -19,6 +19,8 @@ constexpr std::array commands = {
     Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},
     Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--turntable N] …",
             "draw a picture, or a full turn of them, without a display", runRender},
+    Command{"simulate", "SCENE.sdo --seconds S [--dt DT] [--collider KIND] [--shrink RATE] …",
+            "let the balls of a scene fall, and print where they are at each step", runSimulate},
 };
 
 }

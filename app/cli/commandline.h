@@ -29,5 +29,6 @@ int runExport(const QStringList &arguments);
 int runFormat(const QStringList &arguments);
 int runInfo(const QStringList &arguments);
 int runRender(const QStringList &arguments);
+int runSimulate(const QStringList &arguments);
 
 }

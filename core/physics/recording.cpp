@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "recording.h"
+
+#include <charconv>
+#include <cmath>
+#include <format>
+#include <optional>
+#include <span>
+
+#include "core/formats/numbers.h"
+
+namespace romanesco {
+
+namespace {
+
+constexpr std::string_view heading = "romanesco recording 1";
+
+std::string textOf(const glm::dvec3 &v)
+{
+    return std::format("{} {} {}", v.x, v.y, v.z);
+}
+
+std::string textOf(const SceneCollider::Options &collider)
+{
+    return std::format("collider {} {}", colliderNames[static_cast<std::size_t>(collider.kind)], collider.excess);
+}
+
+std::string textOf(const Ball &ball)
+{
+    return std::format("drop {} {} {} {}", textOf(ball.position), textOf(ball.velocity), ball.radius, ball.restitution);
+}
+
+std::vector<std::string_view> wordsOf(std::string_view line)
+{
+    std::vector<std::string_view> words;
+    while (true) {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string_view::npos) {
+            return words;
+        }
+        const std::size_t last = std::min(line.find_first_of(" \t\r", first), line.size());
+        words.push_back(line.substr(first, last - first));
+        line.remove_prefix(last);
+    }
+}
+
+std::optional<double> numberOf(std::string_view word)
+{
+    const ParsedNumber number = numberFromText(word);
+    const bool isGood = number.status == NumberStatus::Good || number.status == NumberStatus::Underflow;
+    return isGood ? std::optional(number.value) : std::nullopt;
+}
+
+std::optional<std::uint64_t> hashOf(std::string_view word)
+{
+    std::uint64_t hash = 0;
+    const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), hash, 16);
+    return status == std::errc() && end == word.data() + word.size() ? std::optional(hash) : std::nullopt;
+}
+
+std::optional<glm::dvec3> vectorOf(std::span<const std::string_view> words)
+{
+    glm::dvec3 v;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto number = numberOf(words[static_cast<std::size_t>(axis)]);
+        if (!number || std::abs(*number) > SceneCollider::farthest) {
+            return std::nullopt;
+        }
+        v[axis] = *number;
+    }
+    return v;
+}
+
+/// The words after "drop".
+std::optional<Ball> ballOf(std::span<const std::string_view> words)
+{
+    if (words.size() != 8) {
+        return std::nullopt;
+    }
+    const auto position = vectorOf(words);
+    const auto velocity = vectorOf(words.subspan(3));
+    const auto radius = numberOf(words[6]);
+    const auto restitution = numberOf(words[7]);
+    const bool isBall = position && velocity && radius && *radius > 0.0 && *radius <= SceneCollider::farthest
+        && restitution && *restitution >= 0.0 && *restitution <= 1.0;
+    return isBall ? std::optional(Ball{*position, *velocity, *radius, *restitution}) : std::nullopt;
+}
+
+/// The words after "collider".
+std::optional<SceneCollider::Options> colliderOf(std::span<const std::string_view> words)
+{
+    if (words.size() != 2) {
+        return std::nullopt;
+    }
+    const auto kind = colliderKind(words[0]);
+    const auto excess = numberOf(words[1]);
+    const bool isCollider = kind && excess && *excess >= 0.0;
+    return isCollider ? std::optional(SceneCollider::Options{*kind, *excess}) : std::nullopt;
+}
+
+/// Takes line after line.
+class Reader
+{
+public:
+    Recording recording;
+
+    /// False where a line makes no sense.
+    bool take(std::span<const std::string_view> words)
+    {
+        const std::string_view what = words.front();
+        const auto rest = words.subspan(1);
+        if (what == "at") {
+            return takeInput(rest);
+        }
+        if (what == "end") {
+            return takeEnd(rest);
+        }
+        if (what == "collider") {
+            const auto collider = colliderOf(rest);
+            recording.collider = collider.value_or(recording.collider);
+            return collider.has_value();
+        }
+        if (what == "gravity") {
+            const auto gravity = rest.size() == 3 ? vectorOf(rest) : std::nullopt;
+            recording.world.laws.gravity = gravity.value_or(glm::dvec3(0.0));
+            return gravity.has_value();
+        }
+        return rest.size() == 1 && takeOne(what, rest.front());
+    }
+
+    [[nodiscard]] bool hasEnded() const { return m_hasEnded; }
+
+private:
+    bool takeOne(std::string_view what, std::string_view word)
+    {
+        if (what == "start") {
+            const auto hash = hashOf(word);
+            recording.startHash = hash.value_or(0);
+            return hash.has_value();
+        }
+        if (what == "manner") {
+            recording.world.isAsInDissertation = word == "dissertation";
+            return recording.world.isAsInDissertation || word == "exact";
+        }
+        const auto number = numberOf(word);
+        if (what == "time-step") {
+            recording.world.laws.timeStep = number.value_or(0.0);
+            return recording.world.laws.timeStep > 0.0;
+        }
+        recording.world.shrinkRate = number.value_or(-1.0);
+        return what == "shrink" && recording.world.shrinkRate >= 0.0;
+    }
+
+    bool takeInput(std::span<const std::string_view> words)
+    {
+        const auto step = words.size() > 1 ? wholeFromText(words[0]) : std::nullopt;
+        if (!step || (!recording.inputs.empty() && *step < recording.inputs.back().step)) {
+            return false;
+        }
+        if (words[1] == "drop") {
+            const auto ball = ballOf(words.subspan(2));
+            recording.inputs.push_back({*step, ball.value_or(Ball{})});
+            return ball.has_value();
+        }
+        const auto collider = words[1] == "collider" ? colliderOf(words.subspan(2)) : std::nullopt;
+        recording.inputs.push_back({*step, collider.value_or(SceneCollider::Options{})});
+        return collider.has_value();
+    }
+
+    bool takeEnd(std::span<const std::string_view> words)
+    {
+        const auto steps = words.size() == 2 ? wholeFromText(words[0]) : std::nullopt;
+        const auto hash = steps ? hashOf(words[1]) : std::nullopt;
+        recording.steps = steps.value_or(0);
+        recording.endHash = hash.value_or(0);
+        m_hasEnded = true;
+        return hash.has_value();
+    }
+
+    bool m_hasEnded = false;
+};
+
+}
+
+std::string textOf(const Recording &recording)
+{
+    const World::Options &world = recording.world;
+    std::string text = std::format("{}\ntime-step {}\ngravity {}\nshrink {}\nmanner {}\n{}\nstart {:016x}\n", heading,
+                                   world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate,
+                                   world.isAsInDissertation ? "dissertation" : "exact", textOf(recording.collider),
+                                   recording.startHash);
+    for (const Recording::Input &input : recording.inputs) {
+        text += std::visit([&](const auto &what) { return std::format("at {} {}\n", input.step, textOf(what)); },
+                           input.what);
+    }
+    return text + std::format("end {} {:016x}\n", recording.steps, recording.endHash);
+}
+
+std::expected<Recording, std::string> recordingFromText(std::string_view text)
+{
+    Reader reader;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::vector<std::string_view> words = wordsOf(line);
+        if (number == 1) {
+            if (line != heading) {
+                return std::unexpected("line 1: this is no recording");
+            }
+        } else if (!words.empty() && (reader.hasEnded() || !reader.take(words))) {
+            return std::unexpected(std::format("line {}: this is not understood", number));
+        }
+    }
+    if (!reader.hasEnded()) {
+        return std::unexpected("the end is missing");
+    }
+    return std::move(reader.recording);
+}
+
+}
