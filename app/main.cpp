@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -39,8 +40,8 @@ bool hasDisplay()
         || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-/// file is empty for the example.
-int runEditor(int argc, char *argv[], const QString &file)
+/// Without files, what was open when it ended last, or the example.
+int runEditor(int argc, char *argv[], const QStringList &files)
 {
     constexpr auto noDisplay = "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY). "
                                "Without one, \"romanesco render FILE -o OUT.png\" draws a picture";
@@ -64,8 +65,11 @@ int runEditor(int argc, char *argv[], const QString &file)
 
     applyAppearance(Preferences::read().appearance);
     MainWindow window;
-    const bool isOpen = file.isEmpty() ? window.openSession() : window.openFile(file);
-    if (!isOpen) {
+    bool isAny = files.isEmpty() && window.openSession();
+    for (const QString &file : files) {
+        isAny = window.openFile(file) || isAny;
+    }
+    if (!isAny) {
         window.openExample();
     }
     window.show();
@@ -98,6 +102,8 @@ int main(int argc, char *argv[])
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Romanesco"));
     QGuiApplication::setDesktopFileName(QStringLiteral("romanesco"));
 
+    // A file may be no larger than a limit of the user's: an error, not the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     QStringList arguments;
     for (int i = 1; i < argc; ++i) {
         arguments << QFile::decodeName(argv[i]);
@@ -129,8 +135,5 @@ int main(int argc, char *argv[])
     if (!looksLikeFile && !QFileInfo::exists(first)) {
         return usageError(QStringLiteral("%1 is neither a command nor a file").arg(first));
     }
-    if (!arguments.isEmpty()) {
-        return usageError(QStringLiteral("the editor opens one file, given %1").arg(arguments.size() + 1));
-    }
-    return runEditor(argc, argv, first);
+    return runEditor(argc, argv, QStringList(first) + arguments);
 }

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <format>
 #include <limits>
 #include <optional>
@@ -245,8 +244,6 @@ int runClosest(const QStringList &arguments)
         return BadInput;
     }
     catchCancel();
-    // what takes the output may have a limit: an error, not the end of the program
-    std::signal(SIGXFSZ, SIG_IGN);
     const CancelWatch cancel;
     wanted->query.stop = cancel.token();
     const auto collider = SceneCollider::create(input->scene, wanted->collider, cancel.token());

@@ -33,7 +33,7 @@ const Command *findCommand(const QString &name)
 
 QString helpText()
 {
-    QString text = QStringLiteral("romanesco [FILE]\n"
+    QString text = QStringLiteral("romanesco [FILE…]\n"
                                   "    edit fractals (.fdo) and scenes (.sdo) and look at meshes (.obj) in a window\n");
     for (const Command &command : commands) {
         text += QStringLiteral("romanesco %1 %2\n    %3\n")

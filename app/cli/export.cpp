@@ -6,7 +6,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <format>
 #include <optional>
@@ -163,8 +162,6 @@ std::expected<ExportReport, std::string> exportTo(const QString &output, const S
                                                   bool isQuiet)
 {
     catchCancel();
-    // a file may be no larger than a limit of the user's: an error, not the end of the program
-    std::signal(SIGXFSZ, SIG_IGN);
     const CancelWatch cancel;
     ExportProgress progress(forecast, isQuiet);
     const ExportContext context{cancel.token(), [&](std::uint64_t bytes) { progress.show(bytes); }};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <csignal>
 #include <utility>
 
 #include <QCheckBox>
@@ -291,8 +290,6 @@ void ExportDialog::start()
         postEstimate();
         return;
     }
-    // a file may be no larger than a limit of the user's: an error, not the end of the program
-    std::signal(SIGXFSZ, SIG_IGN);
     m_stop = std::stop_source();
     m_written = 0;
     m_isClosing = false;
