@@ -18,6 +18,7 @@
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
 #include "exportdialog.h"
+#include "exportwords.h"
 #include "keylist.h"
 #include "messagestrip.h"
 #include "parameterspane.h"
@@ -275,10 +276,8 @@ void MainWindow::exportMesh()
                                     text.dir().filePath(text.completeBaseName() + QStringLiteral(".obj")), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &ExportDialog::exported, this, [this](const QString &path, quint64 bytes, const QString &remarks) {
-        m_status->showMessage(
-            tr("Exported %1 (%2)")
-                .arg(QDir::toNativeSeparators(path), locale().formattedDataSize(static_cast<qint64>(bytes))),
-            10'000);
+        m_status->showMessage(tr("Exported %1 (%2)").arg(QDir::toNativeSeparators(path), sizeText(Count(bytes))),
+                              10'000);
         if (!remarks.isEmpty()) {
             tab().strip().say(remarks);
         }

@@ -43,14 +43,15 @@ TextActions::TextActions(QWidget &window)
     , m_larger(make(tr("&Larger Text"), QKeySequence::ZoomIn, [](FdoEditor &e) { e.zoomBy(1); }))
     , m_smaller(make(tr("S&maller Text"), QKeySequence::ZoomOut, [](FdoEditor &e) { e.zoomBy(-1); }))
     , m_usual(make(tr("&Usual Text Size"), Qt::CTRL | Qt::Key_0, &FdoEditor::resetZoom))
-    , m_fold(make(tr("&Fold"), Qt::CTRL | Qt::SHIFT | Qt::Key_Minus, &FdoEditor::fold))
-    , m_unfold(make(tr("&Unfold"), Qt::CTRL | Qt::SHIFT | Qt::Key_Plus, &FdoEditor::unfold))
+    , m_fold(make(tr("&Fold"), Qt::ALT | Qt::Key_Minus, &FdoEditor::fold))
+    , m_unfold(make(tr("&Unfold"), Qt::ALT | Qt::Key_Plus, &FdoEditor::unfold))
     , m_foldAll(make(tr("Fold &All"), {}, &FdoEditor::foldAll))
     , m_unfoldAll(make(tr("Unfold A&ll"), {}, &FdoEditor::unfoldAll))
 {
     // What most keyboards have without Shift.
     m_larger->setShortcuts({QKeySequence(QKeySequence::ZoomIn), QKeySequence(Qt::CTRL | Qt::Key_Equal)});
     m_findNext->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_G), QKeySequence(Qt::Key_F3)});
+    m_unfold->setShortcuts({QKeySequence(Qt::ALT | Qt::Key_Plus), QKeySequence(Qt::ALT | Qt::Key_Equal)});
     m_renumber->setEnabled(false);
 }
 
