@@ -90,6 +90,7 @@ public:
         : m_act(std::move(act))
     {
     }
+    [[nodiscard]] bool isWaiting() const { return bool(m_act); }
 
 protected:
     bool eventFilter(QObject *, QEvent *event) override
@@ -117,6 +118,7 @@ private Q_SLOTS:
     void theLastGoodSceneStaysAfterAnError();
     void anotherFileHasNoLastGoodScene();
     void whatIsUnderWayIsForgottenToo();
+    void whatIsOnItsWayIsForgottenToo();
     void aSceneIsCounted();
     void destructionDoesNotWaitForTheGate();
     void whatMaySurpriseComesWithTheScene();
@@ -231,6 +233,18 @@ void TestPreviewController::whatIsUnderWayIsForgottenToo()
     QVERIFY(sample.waitForBuilt(1));
     QCOMPARE(sample.built.size(), 1u);
     QCOMPARE(sample.built.front().revision, newest);
+}
+
+void TestPreviewController::whatIsOnItsWayIsForgottenToo()
+{
+    Sample sample;
+    BeforeDelivery intruder([&] { sample.controller->forget(); });
+    sample.controller->installEventFilter(&intruder);
+    sample.build(goodText(1));
+    QVERIFY(QTest::qWaitFor([&] { return !intruder.isWaiting(); }, 20'000));
+    QTest::qWait(50);
+    QVERIFY(sample.built.empty());
+    QVERIFY(!sample.controller->lastGoodScene());
 }
 
 void TestPreviewController::aSceneIsCounted()

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QAction>
 #include <QDir>
+#include <QDockWidget>
 #include <QListWidget>
 #include <QScreen>
 #include <QSet>
@@ -9,7 +10,7 @@
 
 #include "app/window/addresspane.h"
 #include "app/window/exportdialog.h"
-#include "app/window/parameterspane.h"
+#include "app/window/preferences.h"
 #include "editor/completionpopup.h"
 #include "windowsample.h"
 
@@ -80,6 +81,7 @@ private Q_SLOTS:
     void address();
     void exporting();
     void scene();
+    void dark();
 };
 
 void TestScreenshots::first()
@@ -119,7 +121,7 @@ void TestScreenshots::address()
     QTest::mouseClick(&scenery.viewport, Qt::LeftButton, {}, scenery.viewport.rect().center());
     QListWidget &list = *scenery.window.findChild<AddressPane *>()->findChild<QListWidget *>();
     QVERIFY(QTest::qWaitFor([&] { return list.count() > 0; }, 20'000));
-    scenery.trigger(QStringLiteral("Address"));
+    scenery.window.findChild<QDockWidget *>(QStringLiteral("address"))->raise();
     QVERIFY(scenery.waitForPicture());
     QVERIFY(scenery.keep(QStringLiteral("address")));
 }
@@ -142,6 +144,19 @@ void TestScreenshots::scene()
     scenery.drawn = 0;
     QVERIFY(scenery.waitForPicture());
     QVERIFY(scenery.keep(QStringLiteral("scene")));
+}
+
+void TestScreenshots::dark()
+{
+    applyAppearance(Preferences::Appearance::Dark);
+    {
+        const Scenery scenery;
+        QVERIFY(scenery.waits);
+        scenery.window.findChild<QDockWidget *>(QStringLiteral("parameters"))->raise();
+        QVERIFY(scenery.editor.palette().color(QPalette::Base).lightness() < 80);
+        QVERIFY(scenery.keep(QStringLiteral("dark")));
+    }
+    applyAppearance(Preferences::Appearance::System);
 }
 
 int main(int argc, char **argv)
