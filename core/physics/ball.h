@@ -28,6 +28,9 @@ struct BallState : Ball {
     Supports supports = {};
     /// It rests: nothing moves it until something that it touches changes.
     bool isAsleep = false;
+    /// It lies on other balls, or they on it: for so many steps it has hardly moved.
+    bool isPiled = false;
+    unsigned calmSteps = 0;
 };
 
 }

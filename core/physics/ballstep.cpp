@@ -27,10 +27,12 @@ constexpr double mostTilt = 1e-3;
 
 }
 
-BallStep::BallStep(BallState &ball, const Laws &laws, Probe &probe, double time)
+BallStep::BallStep(BallState &ball, const Laws &laws, Probe &probe, double time, std::vector<BallPath> *paths)
     : m_ball(ball)
     , m_laws(laws)
     , m_probe(probe)
+    , m_paths(paths)
+    , m_time(time)
     , m_left(time)
     , m_radius(ball.radius)
     , m_rounding(probe.roundingAt(ball.position))
@@ -65,6 +67,27 @@ void BallStep::measure(double reach)
 bool BallStep::isTouching() const
 {
     return hasDirection() && room() <= m_skin;
+}
+
+void BallStep::advance(double time, const glm::dvec3 &acceleration, double way)
+{
+    if (m_paths != nullptr) {
+        m_paths->push_back({m_time - m_left, time, acceleration, m_ball});
+    }
+    moveTo(m_ball.position + time * m_ball.velocity + (0.5 * time * time) * acceleration, way);
+    m_ball.velocity += time * acceleration;
+    spend(time);
+}
+
+void BallStep::advanceTo(const glm::dvec3 &position, const glm::dvec3 &velocity, double time)
+{
+    if (m_paths != nullptr && time > 0.0) {
+        m_paths->push_back({m_time - m_left, time, glm::dvec3(0.0), m_ball});
+        m_paths->back().from.velocity = (position - m_ball.position) / time;
+    }
+    moveTo(position, glm::distance(position, m_ball.position));
+    m_ball.velocity = velocity;
+    spend(time);
 }
 
 void BallStep::moveTo(const glm::dvec3 &position, double distance)

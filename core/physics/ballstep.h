@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "ball.h"
 #include "probe.h"
@@ -29,6 +30,23 @@ struct StepReport {
     bool isExhausted = false;
 };
 
+/// A part of a step: from a state on, under one acceleration.
+struct BallPath {
+    double start = 0.0;
+    double time = 0.0;
+    glm::dvec3 acceleration{0.0};
+    BallState from;
+
+    [[nodiscard]] double end() const { return start + time; }
+    /// At a time of the step.
+    [[nodiscard]] glm::dvec3 positionAt(double when) const
+    {
+        const double t = when - start;
+        return from.position + t * from.velocity + (0.5 * t * t) * acceleration;
+    }
+    [[nodiscard]] glm::dvec3 velocityAt(double when) const { return from.velocity + (when - start) * acceleration; }
+};
+
 /// A step of a ball that is under way: what flying, landing and sliding share.
 ///
 /// Lengths. A ball touches what is within its radius and the skin, which is 1e-4 of the radius or a multiple of the rounding
@@ -36,7 +54,8 @@ struct StepReport {
 class BallStep
 {
 public:
-    BallStep(BallState &ball, const Laws &laws, Probe &probe, double time);
+    /// Where paths are wanted they are put there, one after another, counted from the step's start.
+    BallStep(BallState &ball, const Laws &laws, Probe &probe, double time, std::vector<BallPath> *paths = nullptr);
 
     BallState &ball() { return m_ball; }
     [[nodiscard]] const BallState &ball() const { return m_ball; }
@@ -70,6 +89,10 @@ public:
     [[nodiscard]] bool isTouching() const;
     [[nodiscard]] const glm::dvec3 &direction() const { return m_nearest.direction; }
 
+    /// Moves under an acceleration, by a way that is no longer than that.
+    void advance(double time, const glm::dvec3 &acceleration, double way);
+    /// Moves straight on, and has another velocity then.
+    void advanceTo(const glm::dvec3 &position, const glm::dvec3 &velocity, double time);
     /// Moves to a place so far away, which nothing was found to be in the way of.
     void moveTo(const glm::dvec3 &position, double distance);
     /// Where it is, so much is proved to be free.
@@ -85,7 +108,9 @@ private:
     BallState &m_ball;
     const Laws &m_laws;
     Probe &m_probe;
+    std::vector<BallPath> *m_paths;
     StepReport m_report;
+    double m_time;
     double m_left;
     double m_radius;
     double m_rounding;

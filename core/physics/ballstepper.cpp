@@ -22,9 +22,9 @@ bool isFarAway(const glm::dvec3 &p)
 
 }
 
-StepReport stepBall(BallState &ball, const Laws &laws, Probe &probe, double time)
+StepReport stepBall(BallState &ball, const Laws &laws, Probe &probe, double time, std::vector<BallPath> *paths)
 {
-    BallStep step(ball, laws, probe, time);
+    BallStep step(ball, laws, probe, time, paths);
     while (step.left() > 0.0 && !ball.isAsleep && !isFarAway(ball.position)) {
         if (probe.isExhausted()) {
             step.lose();

@@ -130,9 +130,7 @@ private:
 
     void advance(double time, double path)
     {
-        m_step.moveTo(m_ball.position + time * m_ball.velocity + (0.5 * time * time) * m_gravity, path);
-        m_ball.velocity += time * m_gravity;
-        m_step.spend(time);
+        m_step.advance(time, m_gravity, path);
     }
 
     /// Asks what is near. Whether the ball has gone on, or has landed where it is.

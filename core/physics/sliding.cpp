@@ -85,7 +85,6 @@ private:
     bool goOn()
     {
         for (double time = std::min(timeForward(), m_longest);; time *= shorter) {
-            const BallState before = m_ball;
             const glm::dvec3 way = time * m_ball.velocity + (0.5 * time * time) * m_pull;
             const double length = glm::length(way);
             const double stand = standOff * std::min(m_step.room(), m_step.skin());
@@ -98,16 +97,13 @@ private:
                 return goToTouch(time, way, share, m_step.radius() + stand);
             }
             m_longest = std::numeric_limits<double>::infinity();
-            m_step.moveTo(m_ball.position + way, length);
+            if (length > shortWay * m_step.radius() && fallsAway(m_ball.position + way)) {
+                continue;
+            }
+            m_step.advance(time, m_pull, length);
             m_step.setClearance(m_step.radius() + stand);
             m_step.measure(2.0 * m_step.skin());
             const bool isLost = !m_step.isTouching();
-            if (isLost && length > shortWay * m_step.radius() && !m_step.probe().isExhausted()) {
-                m_ball = before;
-                continue;
-            }
-            m_ball.velocity += time * m_pull;
-            m_step.spend(time);
             if (isLost) {
                 m_ball.supports.clear();
             } else {
@@ -115,6 +111,14 @@ private:
             }
             return true;
         }
+    }
+
+    /// Whether nothing is touched at a place, unless that costs too much to ask.
+    bool fallsAway(const glm::dvec3 &position)
+    {
+        const auto nearest = m_step.probe().nearest(position, m_step.radius() + 2.0 * m_step.skin());
+        const bool isTouching = nearest.isFound && nearest.clearance <= m_step.radius() + m_step.skin();
+        return !isTouching && !m_step.probe().isExhausted();
     }
 
     /// Where it touches on its way, which is taken as straight: no energy is won by that.
@@ -129,11 +133,10 @@ private:
         const double spent = sum > 0.0 ? std::min(time, 2.0 * gone / sum) : 0.0;
         const double square = glm::dot(m_ball.velocity, m_ball.velocity);
         if (gone > 0.0) {
-            m_step.moveTo(m_ball.position + share * way, gone);
-            m_step.setClearance(radius);
-            m_ball.velocity =
+            const glm::dvec3 velocity =
                 withEnergy(m_ball.velocity + spent * m_pull, square + 2.0 * share * glm::dot(m_pull, way));
-            m_step.spend(spent);
+            m_step.advanceTo(m_ball.position + share * way, velocity, spent);
+            m_step.setClearance(radius);
         }
         m_step.measure(2.0 * m_step.skin());
         if (!m_step.isTouching()) {
