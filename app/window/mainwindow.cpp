@@ -5,6 +5,7 @@
 #include <QCloseEvent>
 #include <QDir>
 #include <QFileDialog>
+#include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -183,6 +184,7 @@ void MainWindow::connectViewActions()
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.preferences, &QAction::triggered, this, &MainWindow::showPreferences);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
+    connect(m_actions.resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeyList(*this); });
     connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
 }
@@ -211,6 +213,17 @@ void MainWindow::restoreLayout()
     if (!m_splitter->restoreState(state.value("splitter").toByteArray())) {
         m_splitter->setSizes({500, 780});
     }
+}
+
+/// As at the first start; the window stays as large as it is.
+void MainWindow::resetLayout()
+{
+    for (QToolBar *bar : findChildren<QToolBar *>()) {
+        bar->show();
+    }
+    m_panels.layOut();
+    layout()->activate(); // what the docks leave is the splitter's
+    m_splitter->setSizes({500, 780});
 }
 
 void MainWindow::saveLayout() const

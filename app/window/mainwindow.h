@@ -64,6 +64,7 @@ private:
     void connectViewActions();
     void connectViewport();
     void restoreLayout();
+    void resetLayout();
     void saveLayout() const;
     void askForFile();
     void fillRecent(QMenu &menu);

@@ -56,6 +56,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , nextPart(makeAction(window, tr("Next &Part"), Qt::Key_F7))
     , previousPart(makeAction(window, tr("Previous P&art"), Qt::SHIFT | Qt::Key_F7))
     , fullScreen(makeAction(window, tr("&Full Screen"), Qt::Key_F11))
+    , resetLayout(makeAction(window, tr("&Reset Layout")))
     , keys(makeAction(window, tr("&Keys"), Qt::Key_F1))
     , about(makeAction(window, tr("&About Romanesco")))
 {
@@ -121,7 +122,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     QMenu *window = bar.addMenu(tr("&Window"));
     window->addActions({nextTab, previousTab, nextPart, previousPart});
     window->addSeparator();
-    window->addAction(fullScreen);
+    window->addActions({fullScreen, resetLayout});
     window->addSeparator();
 
     bar.addMenu(tr("&Help"))->addActions({keys, about});

@@ -72,6 +72,7 @@ public:
     QAction *nextPart;
     QAction *previousPart;
     QAction *fullScreen;
+    QAction *resetLayout;
     QAction *keys;
     QAction *about;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QAction>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSlider>
+#include <QSplitter>
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
@@ -58,6 +60,7 @@ private Q_SLOTS:
     void theTitleNamesTheFile();
     void droppedFilesAreOpened();
     void theLayoutIsRemembered();
+    void theLayoutIsReset();
     void buttonsTellTheirKeys();
     void keysReachTheText_data();
     void keysReachTheText();
@@ -356,6 +359,50 @@ void TestMainWindow::theLayoutIsRemembered()
     }
     MainWindow again;
     QCOMPARE(again.size(), QSize(800, 450));
+}
+
+void TestMainWindow::theLayoutIsReset()
+{
+    Sample sample;
+    QVERIFY(QTest::qWaitForWindowExposed(&sample.window));
+    const auto actionNamed = [&](const QString &text) -> QAction * {
+        for (QAction *action : sample.window.findChildren<QAction *>()) {
+            if (action->text() == text) {
+                return action;
+            }
+        }
+        return nullptr;
+    };
+    QAction *reset = actionNamed(QStringLiteral("&Reset Layout"));
+    QVERIFY(reset);
+    reset->trigger();
+    const QList<QDockWidget *> docks = sample.window.findChildren<QDockWidget *>();
+    QSplitter &splitter = *sample.window.findChild<QSplitter *>();
+    QCoreApplication::processEvents();
+    const QList<int> sizes = splitter.sizes();
+    // The one that lies uppermost, over all the width.
+    const QDockWidget &problems = *sample.window.findChild<QDockWidget *>(QStringLiteral("problems"));
+    const auto isAcross = [&] { return problems.width() == sample.window.width(); };
+    QVERIFY2(QTest::qWaitFor(isAcross), qPrintable(QString::number(problems.width())));
+    const int height = problems.height();
+
+    docks[0]->setFloating(true);
+    docks[1]->hide();
+    sample.window.addDockWidget(Qt::LeftDockWidgetArea, docks[2]);
+    sample.window.findChild<QToolBar *>()->hide();
+    splitter.setSizes({100, 700});
+    QCoreApplication::processEvents();
+    reset->trigger();
+    QCoreApplication::processEvents();
+    for (QDockWidget *dock : docks) {
+        QVERIFY(!dock->isFloating() && !dock->isHidden());
+        QCOMPARE(sample.window.dockWidgetArea(dock), Qt::BottomDockWidgetArea);
+        QCOMPARE(sample.window.tabifiedDockWidgets(dock).size(), docks.size() - 1);
+    }
+    QVERIFY(sample.window.findChild<QToolBar *>()->isVisible());
+    QVERIFY(QTest::qWaitFor(isAcross));
+    QCOMPARE(problems.height(), height);
+    QCOMPARE(splitter.sizes(), sizes);
 }
 
 void TestMainWindow::buttonsTellTheirKeys()
