@@ -15,9 +15,11 @@
 #include <QToolBar>
 
 #include "addresslink.h"
+#include "broughttexts.h"
 #include "core/text/linemap.h"
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
+#include "examplegallery.h"
 #include "exportdialog.h"
 #include "exportwords.h"
 #include "keylist.h"
@@ -109,12 +111,10 @@ void MainWindow::createMenus()
     menus.edit->addAction(m_actions.preferences);
     m_textActions.fillGo(*menus.go);
     m_textActions.fillView(*menus.view);
-    const QStringList kinds{QStringLiteral("*.fdo"), QStringLiteral("*.sdo")};
-    for (const QString &name : QDir(TextTabs::examplesFolder).entryList(kinds, QDir::Files, QDir::Name)) {
-        const QString plain = name.chopped(4);
-        QAction *action =
-            menus.examples->addAction(name.endsWith(QLatin1String(".sdo")) ? tr("%1 (scene)").arg(plain) : plain);
-        connect(action, &QAction::triggered, this, [this, name] { openFile(TextTabs::examplesFolder + u'/' + name); });
+    for (const BroughtText &text : broughtTexts(TextTabs::templatesFolder)) {
+        QAction *action = menus.templates->addAction(text.description.section(u':', 0, 0));
+        action->setStatusTip(text.description);
+        connect(action, &QAction::triggered, this, [this, path = text.path] { m_tabs->startFrom(path); });
     }
     connect(menus.recent, &QMenu::aboutToShow, this, [this, menu = menus.recent] { fillRecent(*menu); });
     m_panels.fill(*menus.window);
@@ -136,6 +136,7 @@ void MainWindow::connectFileActions()
 {
     connect(m_actions.newFile, &QAction::triggered, m_tabs, &TextTabs::startNew);
     connect(m_actions.open, &QAction::triggered, this, &MainWindow::askForFile);
+    connect(m_actions.examples, &QAction::triggered, this, &MainWindow::showExamples);
     connect(m_actions.save, &QAction::triggered, m_tabs, &TextTabs::save);
     connect(m_actions.saveAs, &QAction::triggered, m_tabs, &TextTabs::saveAs);
     connect(m_actions.reload, &QAction::triggered, this, [this] { tab().document().checkFile(); });
@@ -244,6 +245,14 @@ bool MainWindow::openFile(const QString &path)
 void MainWindow::openExample()
 {
     m_tabs->openFile(TextTabs::examplesFolder + QStringLiteral("/romanesco.fdo"));
+}
+
+void MainWindow::showExamples()
+{
+    auto *gallery = new ExampleGallery(this);
+    gallery->setAttribute(Qt::WA_DeleteOnClose);
+    connect(gallery, &ExampleGallery::chosen, this, &MainWindow::openFile);
+    gallery->open();
 }
 
 bool MainWindow::openSession()

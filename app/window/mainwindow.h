@@ -67,6 +67,7 @@ private:
     void resetLayout();
     void saveLayout() const;
     void askForFile();
+    void showExamples();
     void fillRecent(QMenu &menu);
     void showLostTexts(Recovery recovery);
     void exportMesh();

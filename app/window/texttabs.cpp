@@ -36,6 +36,7 @@ void addRecent(const QString &path)
 }
 
 const QString TextTabs::examplesFolder = QStringLiteral(":/examples");
+const QString TextTabs::templatesFolder = QStringLiteral(":/templates");
 
 TextTabs::TextTabs(QWidget *parent)
     : QTabWidget(parent)
@@ -115,7 +116,8 @@ void TextTabs::updateName(const TextTab &tab)
     // Without it a name with & would have a key.
     const QString name = document.name().replace(u'&', QStringLiteral("&&"));
     setTabText(index, document.isModified() ? name + QStringLiteral(" •") : name);
-    setTabToolTip(index, document.isExample() ? tr("Example") : QDir::toNativeSeparators(document.path()));
+    const QString kind = document.path().startsWith(templatesFolder) ? tr("New text") : tr("Example");
+    setTabToolTip(index, document.isExample() ? kind : QDir::toNativeSeparators(document.path()));
     if (index == currentIndex()) {
         Q_EMIT currentNamed();
     }
@@ -168,7 +170,7 @@ int TextTabs::indexOfFile(const QString &path) const
 
 bool TextTabs::openFile(const QString &path)
 {
-    const bool isOurs = path.startsWith(examplesFolder);
+    const bool isOurs = path.startsWith(QLatin1String(":/"));
     const QString whole = isOurs ? path : QFileInfo(path).absoluteFilePath();
     TextTab &before = current();
     if (const int open = indexOfFile(whole); open >= 0 && !(isOurs && before.isUntouched())) {
@@ -201,6 +203,16 @@ void TextTabs::startNew()
     tab.document().startNew();
     setCurrentWidget(&tab);
     tab.editor().setFocus();
+}
+
+void TextTabs::startFrom(const QString &path)
+{
+    TextTab &before = current();
+    TextTab &tab = before.isUntouched() ? before : addText();
+    if (tab.open(path)) {
+        setCurrentWidget(&tab);
+        tab.editor().setFocus();
+    }
 }
 
 void TextTabs::save()

@@ -32,6 +32,8 @@ public:
     /// be opened, the tab that was looked at says so.
     bool openFile(const QString &path);
     void startNew();
+    /// One of the templates as a new text, which can be edited and is saved elsewhere.
+    void startFrom(const QString &path);
     /// In the background; a text without a file of its own is asked where to.
     void save();
     void saveAs();
@@ -64,6 +66,7 @@ public:
     [[nodiscard]] static QStringList recentFiles();
 
     static const QString examplesFolder;
+    static const QString templatesFolder;
 
 Q_SIGNALS:
     /// Another one is looked at, or seen.

@@ -28,6 +28,7 @@ QAction *makeFor(QWidget &viewport, const QString &text, const QKeySequence &key
 WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     : newFile(makeAction(window, tr("&New"), QKeySequence::New))
     , open(makeAction(window, tr("&Open…"), QKeySequence::Open))
+    , examples(makeAction(window, tr("Open &Example…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O))
     , save(makeAction(window, tr("&Save"), QKeySequence::Save))
     , saveAs(makeAction(window, tr("Save &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , reload(makeAction(window, tr("Re&load"), Qt::Key_F4))
@@ -94,9 +95,11 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
 WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
 {
     QMenu *file = bar.addMenu(tr("&File"));
-    file->addActions({newFile, open});
+    file->addAction(newFile);
+    QMenu *templates = file->addMenu(tr("New From &Template"));
+    file->addAction(open);
     QMenu *recent = file->addMenu(tr("Open &Recent"));
-    QMenu *examples = file->addMenu(tr("Open &Example"));
+    file->addAction(examples);
     file->addSeparator();
     file->addActions({save, saveAs, reload});
     file->addSeparator();
@@ -126,7 +129,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     window->addSeparator();
 
     bar.addMenu(tr("&Help"))->addActions({keys, about});
-    return {file, end, recent, edit, go, view, examples, window};
+    return {file, end, templates, recent, edit, go, view, window};
 }
 
 void WindowActions::fill(QToolBar &bar, const TextActions &textActions) const

@@ -27,11 +27,11 @@ public:
         QMenu *file;
         /// Of what has to do with files, before closing.
         QAction *endOfFiles;
+        QMenu *templates;
         QMenu *recent;
         QMenu *edit;
         QMenu *go;
         QMenu *view;
-        QMenu *examples;
         QMenu *window;
     };
     OpenMenus fill(QMenuBar &bar) const;
@@ -39,6 +39,7 @@ public:
 
     QAction *newFile;
     QAction *open;
+    QAction *examples;
     QAction *save;
     QAction *saveAs;
     QAction *reload;
