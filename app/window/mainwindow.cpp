@@ -24,6 +24,7 @@
 #include "exportwords.h"
 #include "keylist.h"
 #include "messagestrip.h"
+#include "outlinepane.h"
 #include "parameterspane.h"
 #include "preferencesdialog.h"
 #include "problemsview.h"
@@ -380,8 +381,10 @@ void MainWindow::connectText(TextTab &tab)
     connect(&tab.editor(), &FdoEditor::openFileRequested, looked, [this](const QString &path) { openBeside(path); });
     m_textActions.follow(tab.editor(), tab.findBar());
     m_panels.parameters().follow(tab.editor());
+    m_panels.outline().follow(tab.editor());
     connect(&tab.document(), &Document::fileStateChanged, looked, [this] {
         m_textActions.update();
+        m_panels.outline().update();
         showDepth();
     });
 }

@@ -10,6 +10,7 @@
 #include <QMenu>
 
 #include "addresspane.h"
+#include "outlinepane.h"
 #include "parameterspane.h"
 #include "previewcontroller.h"
 #include "problemsview.h"
@@ -21,10 +22,12 @@ Panels::Panels(QMainWindow &window)
     , m_problems(new ProblemsView)
     , m_parameters(new ParametersPane)
     , m_address(new AddressPane)
+    , m_outline(new OutlinePane)
     , m_problemsDock(add(m_problems, tr("Problems"), QStringLiteral("problems")))
 {
     add(m_parameters, tr("Parameters"), QStringLiteral("parameters"));
     add(m_address, tr("Address"), QStringLiteral("address"));
+    add(m_outline, tr("Outline"), QStringLiteral("outline"));
     layOut();
 }
 

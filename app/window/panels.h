@@ -13,6 +13,7 @@ class QWidget;
 namespace romanesco {
 
 class AddressPane;
+class OutlinePane;
 class ParametersPane;
 class ProblemsView;
 struct Preview;
@@ -27,6 +28,7 @@ public:
     [[nodiscard]] ProblemsView &problems() const { return *m_problems; }
     [[nodiscard]] ParametersPane &parameters() const { return *m_parameters; }
     [[nodiscard]] AddressPane &address() const { return *m_address; }
+    [[nodiscard]] OutlinePane &outline() const { return *m_outline; }
 
     /// An entry for each of them.
     void fill(QMenu &window) const;
@@ -44,6 +46,7 @@ private:
     ProblemsView *m_problems;
     ParametersPane *m_parameters;
     AddressPane *m_address;
+    OutlinePane *m_outline;
     /// In the order in which they are listed.
     QList<QDockWidget *> m_docks;
     QDockWidget *m_problemsDock;
