@@ -7,6 +7,7 @@
 #include <KSyntaxHighlighting/SyntaxHighlighter>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QMenu>
 #include <QMimeData>
 #include <QPainter>
 #include <QScrollBar>
@@ -19,6 +20,7 @@
 #include "editormargin.h"
 #include "folding.h"
 #include "inlaynumbers.h"
+#include "pinnednumbers.h"
 #include "renaming.h"
 #include "renumberoffer.h"
 #include "syntax.h"
@@ -48,6 +50,7 @@ FdoEditor::FdoEditor(QWidget *parent)
     , m_scrubber(*this)
     , m_renumbering(new RenumberOffer(*this, m_language))
     , m_folding(new Folding(*this, m_language))
+    , m_pinned(new PinnedNumbers(*this))
     , m_margin(new EditorMargin(*this))
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -319,6 +322,21 @@ void FdoEditor::changeEvent(QEvent *event)
         setTabStopDistance(4 * fontMetrics().horizontalAdvance(u' '));
         layOutMargin();
     }
+}
+
+/// Qt's, and what can be done to a number. By the key it is about the cursor's.
+void FdoEditor::contextMenuEvent(QContextMenuEvent *event)
+{
+    const bool isByKey = event->reason() == QContextMenuEvent::Keyboard;
+    const std::optional<int> position = isByKey ? textCursor().position() : positionAt(event->pos());
+    QMenu *menu = createStandardContextMenu(event->pos());
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (position && numberAt(m_language, *position)) {
+        menu->addSeparator();
+        QAction *pin = menu->addAction(tr("&Pin as Slider"), this, [this, at = *position] { m_pinned->pin(at); });
+        pin->setEnabled(!isReadOnly());
+    }
+    menu->popup(event->globalPos());
 }
 
 void FdoEditor::keyPressEvent(QKeyEvent *event)

@@ -27,6 +27,7 @@ namespace romanesco {
 
 class EditorMargin;
 class Folding;
+class PinnedNumbers;
 class RenumberOffer;
 class WordNavigation;
 
@@ -89,6 +90,8 @@ public:
     /// So many uses would change by renumber(); 0 where nothing is offered.
     [[nodiscard]] int renumberingCount() const;
 
+    [[nodiscard]] PinnedNumbers &pinnedNumbers() { return *m_pinned; }
+
     // For the margin.
     [[nodiscard]] Folding &folding() { return *m_folding; }
     struct VisibleLine {
@@ -144,6 +147,7 @@ Q_SIGNALS:
 protected:
     bool canInsertFromMimeData(const QMimeData *source) const override;
     void changeEvent(QEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void keyReleaseEvent(QKeyEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
@@ -172,6 +176,7 @@ private:
     Scrubber m_scrubber;
     RenumberOffer *m_renumbering;
     Folding *m_folding;
+    PinnedNumbers *m_pinned;
     EditorMargin *m_margin;
     std::vector<Problem> m_problems;
     qreal m_usualPointSize;

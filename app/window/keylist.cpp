@@ -101,6 +101,7 @@ void KeyList::addGestures()
     addKey(text, tr("The same, a decimal finer"), tr("Alt+Shift+Up, Alt+Shift+Down"));
     addKey(text, tr("Move a number, finer with Shift"), tr("Ctrl+drag"));
     addKey(text, tr("Go to a definition, or open a file"), tr("Ctrl+click"));
+    addKey(text, tr("Pin a number as a slider"), tr("Right click, Menu"));
     addKey(text, tr("Text size"), tr("Ctrl+wheel"));
     addKey(text, tr("Take what completion offers"), tr("Tab, Enter"));
     addKey(text, tr("Close the offer"), tr("Esc"));

@@ -15,8 +15,10 @@ namespace romanesco {
 
 class DepthControl;
 class FdoEditor;
+class PinnedRow;
 
-/// A slider for each number of iterations in an .fdo text. What they change is the text.
+/// A slider for each number of iterations in an .fdo text, then for each number that is pinned. What they change is the
+/// text.
 class ParametersPane : public QScrollArea
 {
     Q_OBJECT
@@ -37,11 +39,16 @@ private:
     };
     void addRow(const QString &name);
     void dropRows(std::size_t first);
+    void updatePins();
 
     FdoEditor *m_editor = nullptr;
     QVBoxLayout *m_column;
     QWidget *m_hint;
     std::vector<Row> m_rows;
+    QVBoxLayout *m_pinColumn;
+    std::vector<PinnedRow *> m_pins;
+    /// Lives as long as an editor is followed, for what is connected to it.
+    std::unique_ptr<QObject> m_whileFollowed;
     bool m_isDragged = false;
 };
 

@@ -12,7 +12,7 @@ using Sample = romanesco::test::WindowSample;
 
 namespace {
 
-/// The words of all rows that are to be seen, with their keys.
+/// The words of all rows that are to be seen, with their keys; what is said twice has those of both.
 QHash<QString, QString> shownKeys(const KeyList &list)
 {
     QHash<QString, QString> keys;
@@ -22,7 +22,7 @@ QHash<QString, QString> shownKeys(const KeyList &list)
         for (int j = 0; j < group.childCount() && !group.isHidden(); ++j) {
             const QTreeWidgetItem &row = *group.child(j);
             if (!row.isHidden()) {
-                keys.insert(row.text(0), row.text(1));
+                keys[row.text(0)] += row.text(1) + u' ';
             }
         }
     }
@@ -72,8 +72,8 @@ void TestKeyList::everyActionsKeyIsListed()
         ++found;
     }
     QVERIFY(found > 30);
-    QCOMPARE(keys.value(QStringLiteral("Export")), QStringLiteral("Ctrl+E, F6"));
-    QCOMPARE(keys.value(QStringLiteral("Front")), QStringLiteral("1"));
+    QCOMPARE(keys.value(QStringLiteral("Export")), QStringLiteral("Ctrl+E, F6 "));
+    QCOMPARE(keys.value(QStringLiteral("Front")), QStringLiteral("1 "));
     QVERIFY(keys.contains(QStringLiteral("Fly")));
 }
 

@@ -4,9 +4,11 @@
 #include <QLabel>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/window/parameterspane.h"
 #include "editor/fdoeditor.h"
+#include "editor/pinnednumbers.h"
 
 using namespace romanesco;
 
@@ -57,6 +59,8 @@ private Q_SLOTS:
     void slidersFollowTheText();
     void whatCannotBeEditedDoesNotMove();
     void anotherTextHasItsOwn();
+    void pinnedNumbersHaveSlidersToo();
+    void aDragOfAPinIsOneStepBack();
 };
 
 void TestParametersPane::eachNumberHasASlider()
@@ -121,6 +125,50 @@ void TestParametersPane::anotherTextHasItsOwn()
     sample.sliders()[0]->setValue(9);
     QVERIFY(other.toPlainText().endsWith(QStringLiteral("w 9\n")));
     QCOMPARE(sample.editor.toPlainText(), text);
+}
+
+void TestParametersPane::pinnedNumbersHaveSlidersToo()
+{
+    Sample sample(QStringLiteral("half 0.50 1 2\n") + text);
+    QVERIFY(sample.editor.pinnedNumbers().pin(5));
+    QCOMPARE(sample.names(), QStringList({QStringLiteral("z"), QStringLiteral("y"), QStringLiteral("half (line 1)")}));
+    QSlider *slider = sample.sliders()[2];
+    QTest::keyClick(slider, Qt::Key_Right);
+    QTest::keyClick(slider, Qt::Key_Right);
+    QVERIFY(sample.editor.toPlainText().startsWith(QStringLiteral("half 0.52 1 2\n")));
+    QCOMPARE(slider->value(), 0);
+    // Further rows come between them.
+    sample.type(QStringLiteral("half"), QStringLiteral("# more\nhalf"));
+    QCOMPARE(sample.names().last(), QStringLiteral("half (line 2)"));
+    auto *unpin = sample.pane.widget()->findChild<QToolButton *>();
+    QVERIFY(unpin);
+    QTest::mouseClick(unpin, Qt::LeftButton);
+    QCOMPARE(sample.names(), QStringList({QStringLiteral("z"), QStringLiteral("y")}));
+}
+
+void TestParametersPane::aDragOfAPinIsOneStepBack()
+{
+    const QString before = QStringLiteral("half 0.50 1 2\n") + text;
+    Sample sample(before);
+    QVERIFY(sample.editor.pinnedNumbers().pin(5));
+    QSlider *slider = sample.sliders()[2];
+    slider->setSliderDown(true);
+    for (const int steps : {4, 60, 7}) {
+        slider->setSliderPosition(steps);
+        sample.pane.update(); // as the preview asks for
+        QCOMPARE(slider->value(), steps);
+    }
+    slider->setSliderDown(false);
+    QVERIFY(sample.editor.toPlainText().startsWith(QStringLiteral("half 0.57 1 2\n")));
+    QCOMPARE(slider->value(), 0);
+    sample.editor.undo();
+    QCOMPARE(sample.editor.toPlainText(), before);
+    // Of another text they are not.
+    FdoEditor other;
+    sample.pane.follow(other);
+    QVERIFY(sample.names().isEmpty());
+    sample.pane.follow(sample.editor);
+    QCOMPARE(sample.names().size(), 3);
 }
 
 QTEST_MAIN(TestParametersPane)
