@@ -42,8 +42,15 @@ QDockWidget *Panels::add(QWidget *panel, const QString &title, const QString &na
 
 void Panels::fill(QMenu &window) const
 {
-    for (const QDockWidget *dock : m_docks) {
-        window.addAction(dock->toggleViewAction());
+    for (QDockWidget *dock : m_docks) {
+        QAction *action = window.addAction(dock->windowTitle());
+        action->setCheckable(true);
+        // of one that is behind another too, which is there, but nobody sees it
+        QObject::connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
+        QObject::connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
+            dock->setVisible(isWanted);
+            dock->raise();
+        });
     }
 }
 
@@ -85,7 +92,6 @@ void Panels::showProblems(const QString &file, const Preview &preview)
     m_problems->setDiagnostics(file, preview.diagnostics, preview.text);
     const QString counts = m_problems->counts();
     m_problemsDock->setWindowTitle(counts.isEmpty() ? tr("Problems") : tr("Problems — %1").arg(counts));
-    m_problemsDock->toggleViewAction()->setText(tr("Problems"));
 }
 
 }

@@ -128,10 +128,7 @@ private:
         return true;
     }
 
-    void advance(double time, double path)
-    {
-        m_step.advance(time, m_gravity, path);
-    }
+    void advance(double time, double path) { m_step.advance(time, m_gravity, path); }
 
     /// Asks what is near. Whether the ball has gone on, or has landed where it is.
     bool look()

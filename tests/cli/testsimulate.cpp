@@ -102,8 +102,7 @@ void TestSimulate::initTestCase()
           "o \"floor.obj\" #\n"
           "p \"ball.obj\" ((0, 1, 0), #, (0.1, 0.1, 0.1)) 0.5\n"
           "p \"ball.obj\" ((2, 1, 0), #, (0.1, 0.2, 0.3)) 1 (1, 0, -2)\n");
-    write(path("fast.sdo"),
-          "o \"floor.obj\" #\np \"ball.obj\" ((0, 1.2, 0), #, (0.01, 0.01, 0.01)) 1 (0, -100, 0)\n");
+    write(path("fast.sdo"), "o \"floor.obj\" #\np \"ball.obj\" ((0, 1.2, 0), #, (0.01, 0.01, 0.01)) 1 (0, -100, 0)\n");
     write(path("point.sdo"), "p \"point.obj\" # 0.5\n");
 }
 
@@ -185,12 +184,11 @@ void TestSimulate::theDissertationsBallsTunnel()
 void TestSimulate::recordingsAreReplayed()
 {
     const QString file = path("run.txt");
-    const QStringList options{"--seconds", "0.7",         "--dt",        "0.004",    "--shrink",
-                              "0.3",       "--collider",  "approximate", "--record", file};
+    const QStringList options{"--seconds", "0.7",        "--dt",        "0.004",    "--shrink",
+                              "0.3",       "--collider", "approximate", "--record", file};
     const Outcome recorded = simulate(QStringList{examples + "terrain.sdo"} + options);
     QCOMPARE(recorded.status, 0);
-    const Outcome replayed =
-        simulate({examples + "terrain.sdo", "--replay", file, "--record", path("again.txt")});
+    const Outcome replayed = simulate({examples + "terrain.sdo", "--replay", file, "--record", path("again.txt")});
     QCOMPARE(replayed.status, 0);
     QCOMPARE(replayed.out, recorded.out);
     QCOMPARE(bytesOf(path("again.txt")), bytesOf(file));

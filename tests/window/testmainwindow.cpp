@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -68,6 +69,7 @@ private Q_SLOTS:
     void renumberingIsOneClickAway();
     void renumberingIsDeclinedByItsCross();
     void noTwoActionsHaveOneKey();
+    void panelsComeForward();
 };
 
 void TestMainWindow::theExampleIsDrawn()
@@ -506,6 +508,33 @@ void TestMainWindow::noTwoActionsHaveOneKey()
         }
     }
     QVERIFY(owners.size() > 30);
+}
+
+/// One that is behind another is not closed when it is asked for.
+void TestMainWindow::panelsComeForward()
+{
+    const Sample sample;
+    QVERIFY(sample.waitForPicture());
+    const auto entry = [&](const QString &name) {
+        for (QAction *action : sample.window.findChildren<QAction *>()) {
+            if (action->text() == name && action->isCheckable() && qobject_cast<QMenu *>(action->parent())) {
+                return action;
+            }
+        }
+        qFatal("there is no such entry");
+    };
+    const auto *dock = sample.window.findChild<QDockWidget *>(QStringLiteral("address"));
+    QAction *address = entry(QStringLiteral("Address"));
+    const QAction *problems = entry(QStringLiteral("Problems"));
+    QVERIFY(!address->isChecked() && problems->isChecked());
+    address->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return !dock->visibleRegion().isEmpty(); }));
+    QVERIFY(address->isChecked() && !problems->isChecked());
+    address->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return !address->isChecked(); }));
+    QVERIFY(!dock->isVisible());
+    address->trigger();
+    QVERIFY(QTest::qWaitFor([&] { return !dock->visibleRegion().isEmpty(); }));
 }
 
 int main(int argc, char **argv)
