@@ -20,6 +20,18 @@ std::string placeName(const FdoDocument &document, const ObjectForest::Origin &o
     return name;
 }
 
+/// Of what the depth is the number; none where there is no depth.
+std::uint32_t countedRecursive(const FdoModel &model)
+{
+    const std::optional<std::uint32_t> line = model.depthLine();
+    for (std::uint32_t i = 0; line && i < model.forest.size(); ++i) {
+        if (model.forest[i].line == *line && model.forest[i].repeated != ObjectNode::none) {
+            return model.forest[i].repeated;
+        }
+    }
+    return ObjectNode::none;
+}
+
 }
 
 std::vector<OriginStep> origin(const FdoDocument &document, const FractalDescription &description,
@@ -28,6 +40,7 @@ std::vector<OriginStep> origin(const FdoDocument &document, const FractalDescrip
     std::vector<OriginStep> steps;
     const FdoSyntax &syntax = document.syntax;
     const FdoModel &model = document.model;
+    const std::uint32_t counted = countedRecursive(model);
     for (const Pick &pick : address) {
         if (pick.position >= description.levels.levelCount()) {
             break;
@@ -42,6 +55,9 @@ std::vector<OriginStep> origin(const FdoDocument &document, const FractalDescrip
         const auto &node = std::get<ObjectDeclaration>(syntax.line(line).declaration);
         steps.push_back({placeName(document, place) + ' ' + syntax.text().substr(use.begin, use.length()), use,
                          syntax.range(line, node.name.range)});
+        if (!place.passes.empty() && place.passes.front().recursive == counted) {
+            steps.back().pass = place.passes.front().pass + 1;
+        }
     }
     return steps;
 }

@@ -20,6 +20,9 @@ struct OriginStep {
     /// The use, and the name of the declaration whose set it is in.
     SourceRange use;
     SourceRange declaration;
+    /// Which pass (from 1) of the iteration that the depth of <$> counts (see FractalDescription::depth); so with that depth
+    /// the step is in the last. Nothing for a step of no such iteration.
+    std::optional<std::uint64_t> pass = {};
 };
 
 /// Where a copy comes from. The document must be the one that the description was read from; picks beyond its levels or

@@ -7,9 +7,11 @@
 #include "core/language/hover.h"
 #include "core/language/navigation.h"
 #include "core/language/origin.h"
+#include "core/language/placement.h"
 #include "core/language/renumbering.h"
 #include "core/language/stability.h"
 #include "core/language/structure.h"
+#include "core/language/writtenplace.h"
 #include "tests/fuzz/properties.h"
 #include "tests/fuzz/target.h"
 
@@ -81,6 +83,16 @@ void lookAround(const FdoDocument &document, std::size_t offset)
     }
 }
 
+void requireChangeable(const WrittenPlace &place, const std::string &text)
+{
+    for (const auto &vector : place.vectors) {
+        if (vector) {
+            requireInside(vector->range, text);
+            require(!vector->with(vector->value()).empty());
+        }
+    }
+}
+
 void useAsFractal(const std::string &text)
 {
     const FdoDocument document(text);
@@ -107,6 +119,9 @@ void useAsFractal(const std::string &text)
              ++position) {
             for (const OriginStep &step : origin(document, *result.description, {{position, 0}})) {
                 requireInside(step.use, text);
+                if (const auto place = placeOfUse(document, step.use.begin)) {
+                    requireChangeable(*place, text);
+                }
                 require(useAt(document, *result.description, step.use.begin).has_value());
             }
         }
@@ -116,6 +131,15 @@ void useAsFractal(const std::string &text)
 void useAsScene(const std::string &text)
 {
     const SdoSyntax syntax(text);
+    const std::vector<FileToPlace> files{{"a.obj", false}, {"b.fdo", true}};
+    const TextEdits added = withPlacedFiles(syntax, files);
+    requireInside(added, text);
+    require(hasErrors(syntax.diagnostics()) || !hasErrors(SdoSyntax(applied(text, added)).diagnostics()));
+    for (std::size_t item = 0; item < 3; ++item) {
+        if (const auto place = placeOfItem(syntax, item)) {
+            requireChangeable(*place, text);
+        }
+    }
     (void)tidied(syntax);
     for (std::size_t i = 0; i <= 8; ++i) {
         const std::size_t offset = text.size() * i / 8;

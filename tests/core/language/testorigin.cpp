@@ -145,6 +145,7 @@ class TestOrigin : public QObject
 
 private Q_SLOTS:
     void everyLevelIsWhereItIsWritten();
+    void aPassIsTheDepthThatEndsThere();
     void depthCostsNothing();
     void anAddressReadsAsTheText();
     void usesStandForTheirMaps();
@@ -178,6 +179,24 @@ void TestOrigin::everyLevelIsWhereItIsWritten()
         }
     });
     QVERIFY(holds);
+}
+
+/// Of what <$> repeats; what stands outside or inside has none.
+void TestOrigin::aPassIsTheDepthThatEndsThere()
+{
+    const FdoDocument document("v 1 0 0\nx. \"x.obj\"\nt.p. (p, #, #)\nw<x>. [t.1] x\nb. w 2\nz<b>. [t.1] [t.1] b\n"
+                               "y. z 3\n<$>. [t.1] y\n");
+    const FdoResult result = describeFdo(document.syntax, document.model);
+    QVERIFY(result.description);
+    Address address;
+    for (Position position = 0; position < result.description->levels.levelCount(); ++position) {
+        address.push_back({position, 0});
+    }
+    std::vector<std::uint64_t> passes;
+    for (const OriginStep &step : origin(document, *result.description, address)) {
+        passes.push_back(step.pass.value_or(0));
+    }
+    QCOMPARE(passes, std::vector<std::uint64_t>({0, 1, 1, 2, 2, 3, 3, 0, 0}));
 }
 
 void TestOrigin::depthCostsNothing()
