@@ -8,7 +8,6 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/vec2.hpp>
 
 #include "core/geometry/rotation.h"
 
@@ -50,6 +49,25 @@ SceneDescription::Camera writtenOf(const Camera &camera)
             isOrthographic,
             isOrthographic ? camera.viewHeight : camera.fieldOfView,
             {}};
+}
+
+double heightAt(const Camera &camera, const glm::dvec3 &point)
+{
+    if (camera.projection == Projection::Orthographic) {
+        return camera.viewHeight;
+    }
+    const double away = glm::dot(camera.worldFromCamera[2], point - camera.position);
+    return 2.0 * away * std::tan(0.5 * camera.fieldOfView * std::numbers::pi / 180.0);
+}
+
+std::optional<glm::dvec2> seenAt(const Camera &camera, const glm::dvec3 &point)
+{
+    const double height = heightAt(camera, point);
+    if (!(height > 0.0)) {
+        return std::nullopt;
+    }
+    const glm::dvec3 inCamera = glm::transpose(camera.worldFromCamera) * (point - camera.position);
+    return glm::dvec2(inCamera) / height;
 }
 
 Camera fittedCamera(const Scene &scene, double aspect)

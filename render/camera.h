@@ -2,7 +2,10 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <optional>
+
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "core/scene/scene.h"
@@ -29,6 +32,12 @@ struct Camera {
 [[nodiscard]] Camera cameraOf(const SceneDescription::Camera &written);
 /// The other way round, without a range.
 [[nodiscard]] SceneDescription::Camera writtenOf(const Camera &camera);
+
+/// Where a point is seen: in heights of the view from its middle, x right and y up. Nothing for one that is not before a
+/// perspective camera.
+[[nodiscard]] std::optional<glm::dvec2> seenAt(const Camera &camera, const glm::dvec3 &point);
+/// How large a height of the view is where the point stands, in the point's units; 0 or less behind a perspective camera.
+[[nodiscard]] double heightAt(const Camera &camera, const glm::dvec3 &point);
 
 /// A camera that looks along forward with up upwards (any vectors that are not parallel).
 [[nodiscard]] glm::dmat3 rotationLooking(const glm::dvec3 &forward, const glm::dvec3 &up = {0.0, 1.0, 0.0});

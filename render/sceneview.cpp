@@ -19,6 +19,9 @@ namespace {
 /// A ray that comes past very many copies ends there, lest a pointer that moves wait for it.
 constexpr std::uint64_t mostNodes = 100'000;
 
+/// Of what stands for a place, at one step: some units in the last place.
+constexpr double roundings = 16.0 * std::numeric_limits<double>::epsilon();
+
 /// As well as this part of a node the camera's place has to be known there.
 constexpr double finePlace = 1e-8;
 
@@ -27,14 +30,15 @@ constexpr double finePlace = 1e-8;
 void SceneView::setScene(std::shared_ptr<const Scene> scene)
 {
     m_scene = std::move(scene);
+    m_marks.clear();
     if (!m_scene) {
         m_anchor.reset();
         m_surroundings.reset();
         return;
     }
     if (m_anchor) {
-        for (const Anchor::Move &move : m_anchor->moveTo(m_scene)) {
-            m_orbit.move(move);
+        for (const Anchor::Move &step : m_anchor->moveTo(m_scene)) {
+            move(step);
         }
     } else {
         m_anchor.emplace(m_scene);
@@ -121,8 +125,24 @@ void SceneView::refit(double aspect)
 
 void SceneView::toWorld()
 {
+    if (m_anchor) {
+        for (const Anchor::Move &step : m_anchor->leave()) {
+            move(step);
+        }
+    }
     m_anchor.emplace(m_scene);
     settle();
+}
+
+/// All that is counted from here.
+void SceneView::move(const Anchor::Move &move)
+{
+    m_orbit.move(move);
+    for (Mark &mark : m_marks) {
+        mark.error += roundings * (glm::length(mark.point) + glm::length(move.offset));
+        mark.point = move(mark.point);
+        mark.error /= move.scale;
+    }
 }
 
 void SceneView::look(double yawDegrees, double pitchDegrees)
@@ -203,7 +223,8 @@ std::optional<SceneView::Picked> SceneView::pick(const glm::dvec2 &pointer, doub
     }
     const Surroundings::Node &root = m_surroundings->nodes[hit.root];
     const auto shared = m_surroundings->path.begin() + static_cast<std::ptrdiff_t>(root.sharedSteps);
-    Picked picked{m_walk->item(), {m_surroundings->path.begin(), shared}, hit.t};
+    Picked picked{m_walk->item(), {m_surroundings->path.begin(), shared}, hit.t, hit.point, hit.direction};
+    picked.error = roundings * double(1 + hit.choices.size()) * (glm::length(hit.point) + glm::length(camera.position));
     picked.steps.insert(picked.steps.end(), root.steps.begin(), root.steps.end());
     picked.steps.insert(picked.steps.end(), hit.choices.begin(), hit.choices.end());
     return picked;
@@ -236,8 +257,8 @@ void SceneView::follow()
     const auto moves = m_trail ? m_anchor->leave()
                                : m_anchor->follow(isPerspective ? camera.position : m_orbit.pivot(),
                                                   isPerspective ? 0.0 : 0.5 * camera.viewHeight);
-    for (const Anchor::Move &move : moves) {
-        m_orbit.move(move);
+    for (const Anchor::Move &step : moves) {
+        move(step);
     }
     if (m_trail || !moves.empty()) {
         settle();

@@ -61,9 +61,28 @@ public:
         std::vector<Step> steps;
         /// Along the camera's axis, in the coordinates of surroundings().
         double distance = 0.0;
+        /// Of the surface, in the same coordinates; the normal, of length 1, against the camera.
+        glm::dvec3 point{0.0};
+        glm::dvec3 normal{0.0};
+        /// How far off the point may be, by rounding.
+        double error = 0.0;
     };
-    /// Copies narrower than a share of the view's height are found as they are drawn, several as one. Costs microseconds.
+    /// Copies narrower than a share of the view's height are found as they are drawn, several as one; with 0, each by itself.
+    /// Costs microseconds.
     [[nodiscard]] std::optional<Picked> pick(const glm::dvec2 &pointer, double share) const;
+
+    /// A place in the scene that stays where it is while the camera is counted from one node after another.
+    struct Mark {
+        /// In the coordinates of surroundings().
+        glm::dvec3 point{0.0};
+        /// How far off that may be, by rounding on the way.
+        double error = 0.0;
+    };
+    /// Those of the scene as it is; another has none.
+    [[nodiscard]] const std::vector<Mark> &marks() const { return m_marks; }
+    /// As pick() finds a point.
+    void mark(const glm::dvec3 &point, double error) { m_marks.push_back({point, error}); }
+    void clearMarks() { m_marks.clear(); }
 
     /// To begin with another time; there is a scene. Counted from the world as long as its coordinates are exact enough. The
     /// depth is the text's.
@@ -79,6 +98,7 @@ public:
 
 private:
     void toWorld();
+    void move(const Anchor::Move &move);
     [[nodiscard]] bool enter(std::size_t item, std::span<const Step> steps);
     [[nodiscard]] bool startFrom(const SavedView &view);
     void follow();
@@ -90,6 +110,7 @@ private:
     std::shared_ptr<const Surroundings> m_surroundings;
     OrbitCamera m_orbit;
     std::shared_ptr<SceneRayWalk> m_walk;
+    std::vector<Mark> m_marks;
 };
 
 }
