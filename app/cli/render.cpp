@@ -5,19 +5,17 @@
 #include <algorithm>
 #include <optional>
 
-#include <QBuffer>
 #include <QColor>
 #include <QCommandLineParser>
 #include <QHash>
-#include <QImage>
 #include <QRegularExpression>
 
+#include "app/drawing/painter.h"
+#include "app/drawing/turn.h"
 #include "app/imagedecoder.h"
 #include "core/formats/sdoreader.h"
-#include "core/scene/dynamicfractal.h"
 #include "input.h"
 #include "output.h"
-#include "painter.h"
 #include "render/sceneview.h"
 #include "turntable.h"
 
@@ -162,30 +160,34 @@ std::optional<Camera> cameraFromLine(const QString &line)
 /// What is to be drawn: pictures of a turn, one where there is no turntable.
 struct Series {
     Turntable turntable;
-    glm::dvec3 pivot{0.0};
     /// None for a single picture, which goes to the output by its own name.
     std::optional<FramePattern> names;
     QString output;
-    /// Of the dissertation's zoom, where that is asked for.
-    std::optional<std::size_t> trail;
 
     [[nodiscard]] QString name(int frame) const { return names ? names->name(frame) : output; }
     [[nodiscard]] bool isSingle() const { return turntable.count == 1; }
 };
+
+/// What --trail says, for the dissertation's zoom; complains where that makes no sense.
+std::optional<std::optional<std::size_t>> trailFromOptions(const QCommandLineParser &parser, const Options &options)
+{
+    if (!parser.isSet(options.trail)) {
+        return std::optional<std::size_t>();
+    }
+    bool isNumber = false;
+    const std::size_t trail = parser.value(options.trail).toUInt(&isNumber);
+    if (!isNumber) {
+        complain(QStringLiteral("--trail takes a whole number, not \"%1\"").arg(parser.value(options.trail)));
+        return std::nullopt;
+    }
+    return trail;
+}
 
 /// Complains where the options make no sense.
 std::optional<Series> seriesFromOptions(const QCommandLineParser &parser, const Options &options)
 {
     Series series;
     series.output = parser.value(options.output);
-    if (parser.isSet(options.trail)) {
-        bool isNumber = false;
-        series.trail = parser.value(options.trail).toUInt(&isNumber);
-        if (!isNumber) {
-            complain(QStringLiteral("--trail takes a whole number, not \"%1\"").arg(parser.value(options.trail)));
-            return std::nullopt;
-        }
-    }
     if (!parser.isSet(options.turntable)) {
         if (parser.isSet(options.frames)) {
             complain(QStringLiteral("--frames needs --turntable"));
@@ -211,40 +213,30 @@ std::optional<Series> seriesFromOptions(const QCommandLineParser &parser, const 
     return series;
 }
 
-QByteArray png(const Picture &picture)
-{
-    const QImage image(picture.pixels.data(), picture.width, picture.height, picture.width * 3, QImage::Format_RGB888);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return bytes;
-}
-
 /// All pictures of a series, each file whole or not at all; an exit status.
-int drawSeries(const std::shared_ptr<const Scene> &scene, View view, const Series &series, bool isQuiet)
+int drawSeries(const Turn &turn, const Series &series, bool isQuiet)
 {
-    auto painter = Painter::create(scene);
+    auto painter = Painter::create(turn.scene);
     if (!painter) {
-        return painter.error();
+        complain(QString::fromStdString(painter.error()));
+        return CannotDo;
     }
     catchCancel();
     Progress progress(isQuiet);
-    const Camera start = view.camera;
     const Turntable &turntable = series.turntable;
     for (int frame = turntable.first; frame <= turntable.last; ++frame) {
-        view.camera = turned(start, series.pivot, frame, turntable.count);
-        if (series.trail) {
-            view.surroundings = dynamicSurroundings(scene, view.camera.position, *series.trail);
-        }
         const QString what = series.isSingle()
             ? QStringLiteral("drawing")
             : QStringLiteral("drawing picture %1 up to %2").arg(frame).arg(turntable.last);
-        const auto picture = painter->draw(view, progress, what);
+        const auto picture = painter->draw(turn.at(frame), [&](int samples) {
+            progress.show(QStringLiteral("%1: %2 of %3 samples").arg(what).arg(samples).arg(turn.view.samples));
+            return !isCancelled();
+        });
         if (!picture) {
-            return picture.error();
+            complain(QString::fromStdString(picture.error()));
+            return CannotDo;
         }
-        if (!writeWhole(series.name(frame), png(*picture))) {
+        if (!writeWhole(series.name(frame), pngOf(*picture))) {
             return CannotDo;
         }
     }
@@ -270,8 +262,9 @@ int runRender(const QStringList &arguments)
         return WrongUsage;
     }
     std::optional<View> view = viewFromOptions(parser, options);
-    std::optional<Series> series = view ? seriesFromOptions(parser, options) : std::nullopt;
-    if (!series) {
+    const std::optional<Series> series = view ? seriesFromOptions(parser, options) : std::nullopt;
+    const auto trail = series ? trailFromOptions(parser, options) : std::nullopt;
+    if (!trail) {
         return WrongUsage;
     }
     std::optional<Camera> camera;
@@ -302,12 +295,13 @@ int runRender(const QStringList &arguments)
     view->surroundings = from.surroundings();
     const Surroundings &here = *from.surroundings();
     const glm::dvec3 middle = input->scene->extent.centre();
-    series->pivot = isFitted ? here.hereFromWorld(middle) : from.pivot();
-    if (series->trail) {
-        view->camera = from.cameraInWorld();
-        series->pivot = isFitted ? middle : here.worldFromHere(from.pivot());
+    Turn turn{input->scene, *view, isFitted ? here.hereFromWorld(middle) : from.pivot(), series->turntable.count,
+              *trail};
+    if (turn.trail) {
+        turn.view.camera = from.cameraInWorld();
+        turn.pivot = isFitted ? middle : here.worldFromHere(from.pivot());
     }
-    return drawSeries(input->scene, *view, *series, parser.isSet(options.quiet));
+    return drawSeries(turn, *series, parser.isSet(options.quiet));
 }
 
 }
