@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 namespace romanesco {
 
@@ -20,13 +21,18 @@ AddressPane::AddressPane(QWidget *parent)
     : QWidget(parent)
     , m_hint(new QLabel(tr("Click a copy in the picture to see which words of the text made it.")))
     , m_list(new QListWidget)
-    , m_zoom(new QPushButton(tr("&Zoom to It")))
+    , m_zoom(new QPushButton(tr("&Zoom Into It")))
+    , m_collapse(new QPushButton(tr("Co&llapse to Here")))
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 8, 0);
     row->addWidget(m_hint, 1);
     row->addWidget(m_list, 1);
-    row->addWidget(m_zoom, 0, Qt::AlignBottom);
+    auto *buttons = new QVBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_zoom);
+    buttons->addWidget(m_collapse);
+    row->addLayout(buttons);
     m_hint->setWordWrap(true);
     m_hint->setMargin(8);
     m_hint->setAlignment(Qt::AlignTop);
@@ -36,7 +42,7 @@ AddressPane::AddressPane(QWidget *parent)
     m_list->setAccessibleName(tr("Address of the copy"));
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setUniformItemSizes(true);
-    m_zoom->setToolTip(tr("Lets the copy that stands out fill the view"));
+    m_zoom->setToolTip(tr("Lets the copy that stands out fill the view (Z in the picture)"));
     // Clicks, arrow keys and Enter alike.
     connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem *item) {
         if (item && item->data(Qt::UserRole).isValid()) {
@@ -44,7 +50,18 @@ AddressPane::AddressPane(QWidget *parent)
         }
     });
     connect(m_zoom, &QPushButton::clicked, this, &AddressPane::zoomRequested);
+    connect(m_collapse, &QPushButton::clicked, this, &AddressPane::collapseRequested);
     setSteps({});
+    setCollapse(std::nullopt);
+}
+
+void AddressPane::setCollapse(std::optional<quint64> depth)
+{
+    m_collapse->setEnabled(depth.has_value());
+    m_collapse->setToolTip(
+        depth ? tr("Changes the depth in the text to %1, so that the chosen step is the last (C in the picture)")
+                    .arg(*depth)
+              : tr("Changes the depth in the text, so that the chosen step is the last (C in the picture)"));
 }
 
 void AddressPane::setSteps(const std::vector<AddressStep> &steps)

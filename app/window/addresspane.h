@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -23,17 +24,21 @@ public:
     explicit AddressPane(QWidget *parent = nullptr);
 
     void setSteps(const std::vector<AddressStep> &steps);
+    /// The depth for which the chosen step would be the last; nothing where none is.
+    void setCollapse(std::optional<quint64> depth);
 
 Q_SIGNALS:
     /// A row was chosen: so many of the steps lead there.
     void chosen(std::size_t count);
     /// The copy that stands out shall fill the view.
     void zoomRequested();
+    void collapseRequested();
 
 private:
     QLabel *m_hint;
     QListWidget *m_list;
     QPushButton *m_zoom;
+    QPushButton *m_collapse;
 };
 
 }

@@ -69,8 +69,8 @@ std::vector<AddressStep> addressSteps(const Scene &scene, const Selection &selec
     if (address) {
         const Alignment aligned(reading->document.syntax.text(), text);
         for (const OriginStep &step : origin(reading->document, reading->description, *address)) {
-            steps.push_back(
-                {QString::fromStdString(step.words), SourceRange{aligned(step.use.begin), aligned(step.use.end)}});
+            steps.push_back({QString::fromStdString(step.words),
+                             SourceRange{aligned(step.use.begin), aligned(step.use.end)}, step.pass});
         }
     } else if (!selection.steps.empty()) {
         const auto count = static_cast<qulonglong>(selection.steps.size());

@@ -29,6 +29,8 @@ struct AddressStep {
     QString words;
     /// Of the text that was asked with; nothing for a step in another file.
     std::optional<SourceRange> use = {};
+    /// The depth for which the step would be the last, where it is one of the iterations that the depth counts.
+    std::optional<std::uint64_t> pass = {};
 };
 
 /// The steps of a copy of a scene; of one that no text says more of, just how many there are. reading is of the text that

@@ -11,6 +11,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
+#include <QStandardPaths>
 #include <QTextBlock>
 #include <QToolBar>
 
@@ -29,12 +30,15 @@
 #include "preferencesdialog.h"
 #include "problemsview.h"
 #include "recoverydialog.h"
+#include "scenedrop.h"
 #include "statusline.h"
 #include "texttab.h"
 #include "texttabs.h"
+#include "turntabledialog.h"
 #include "viewcontrols.h"
 #include "viewport.h"
 #include "viewportpane.h"
+#include "viewtools.h"
 #include "windowstate.h"
 
 namespace romanesco {
@@ -61,6 +65,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_status(new StatusLine)
     , m_actions(*this, m_viewport)
     , m_textActions(*this)
+    , m_viewTools(new ViewTools(m_actions, *m_pane, this))
     , m_pictureActions(
           *this, [this] { return m_viewport.grabFramebuffer(); },
           [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
@@ -106,7 +111,8 @@ void MainWindow::createToolBar()
 void MainWindow::createMenus()
 {
     const WindowActions::OpenMenus menus = m_actions.fill(*menuBar());
-    menus.file->insertActions(menus.endOfFiles, {m_pictureActions.save(), m_pictureActions.copy()});
+    menus.file->insertActions(menus.endOfFiles,
+                              {m_pictureActions.save(), m_pictureActions.copy(), m_actions.saveTurntable});
     m_textActions.fillEdit(*menus.edit);
     menus.edit->addSeparator();
     menus.edit->addAction(m_actions.preferences);
@@ -141,6 +147,7 @@ void MainWindow::connectFileActions()
     connect(m_actions.save, &QAction::triggered, m_tabs, &TextTabs::save);
     connect(m_actions.saveAs, &QAction::triggered, m_tabs, &TextTabs::saveAs);
     connect(m_actions.reload, &QAction::triggered, this, [this] { tab().document().checkFile(); });
+    connect(m_actions.saveTurntable, &QAction::triggered, this, &MainWindow::saveTurntable);
     connect(m_actions.exportMesh, &QAction::triggered, this, &MainWindow::exportMesh);
     const auto sayDone = [this](const QString &words) { m_status->showMessage(words, 5000); };
     connect(&m_pictureActions, &PictureActions::saved, this,
@@ -179,7 +186,11 @@ void MainWindow::connectPanels()
 
 void MainWindow::connectViewActions()
 {
-    connectViewControls(m_actions, m_viewport);
+    connectViewControls(m_actions, *m_pane);
+    m_addressLink->use(*m_actions.zoomToCopy, *m_actions.collapse);
+    m_viewTools->measuring().setNaming([this](const Selection &copy) { return m_addressLink->wordsOf(copy); });
+    connect(m_viewTools, &ViewTools::remarkChanged, this, &MainWindow::showTrouble);
+    connect(m_viewTools, &ViewTools::told, m_status, [this](const QString &words) { m_status->showMessage(words); });
     connect(m_actions.endless, &QAction::toggled, this, [this](bool isEndless) { seen().setEndless(isEndless); });
     connect(m_actions.pin, &QAction::toggled, m_tabs, &TextTabs::setPinned);
     connect(m_actions.rebuild, &QAction::triggered, this, &MainWindow::rebuild);
@@ -308,6 +319,26 @@ void MainWindow::exportMesh()
     dialog->open();
 }
 
+/// Of what is seen, from where it is seen.
+void MainWindow::saveTurntable()
+{
+    const std::optional<Turn> turn = m_viewport.turn();
+    if (!turn) {
+        tab().strip().say(tr("There is no picture yet."));
+        return;
+    }
+    const Document &document = seen().document();
+    const QDir folder = document.hasOwnFile()
+        ? QFileInfo(document.path()).dir()
+        : QDir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+    auto *dialog = new TurntableDialog(*turn, folder.filePath(QFileInfo(document.name()).completeBaseName()), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &TurntableDialog::saved, this, [this](int count, const QString &path) {
+        m_status->showMessage(tr("Saved %1 pictures in %2").arg(count).arg(QDir::toNativeSeparators(path)), 10'000);
+    });
+    dialog->open();
+}
+
 bool MainWindow::saveFile(const QString &path)
 {
     return m_tabs->saveFile(path);
@@ -344,8 +375,18 @@ void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 void MainWindow::dropEvent(QDropEvent *event)
 {
     event->acceptProposedAction();
+    QStringList files;
     for (const QUrl &url : event->mimeData()->urls()) {
-        openFile(url.toLocalFile());
+        files << url.toLocalFile();
+    }
+    const QWidget *under = childAt(event->position().toPoint());
+    if (under && (under == &m_viewport || m_viewport.isAncestorOf(under))) {
+        files = addToScene(seen(), files);
+    } else if (under && tab().editor().isAncestorOf(under)) {
+        files = addToScene(tab(), files);
+    }
+    for (const QString &file : std::as_const(files)) {
+        openFile(file);
     }
 }
 
@@ -366,6 +407,7 @@ void MainWindow::takeTab()
         showScene();
     }
     m_addressLink->follow(*m_seen, m_seen == m_tab);
+    m_viewTools->follow(*m_seen, m_seen == m_tab);
     showText();
 }
 
@@ -476,6 +518,8 @@ void MainWindow::showTrouble()
         strip.say(m_pictureTrouble);
     } else if (!trouble.words.isEmpty()) {
         strip.say(trouble.words);
+    } else if (!m_viewTools->remark().isEmpty()) {
+        strip.say(m_viewTools->remark());
     } else if (m_tabs->isPinned()) {
         strip.say(tr("The picture stays with “%1”. Click here to let it go.").arg(seen().document().name()), true);
     } else {

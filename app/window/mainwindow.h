@@ -26,6 +26,7 @@ class DepthControl;
 class StatusLine;
 class TextTab;
 class TextTabs;
+class ViewTools;
 class Viewport;
 class ViewportPane;
 
@@ -71,6 +72,7 @@ private:
     void fillRecent(QMenu &menu);
     void showLostTexts(Recovery recovery);
     void exportMesh();
+    void saveTurntable();
 
     void takeTab();
     void connectText(TextTab &tab);
@@ -107,6 +109,7 @@ private:
     StatusLine *m_status;
     WindowActions m_actions;
     TextActions m_textActions;
+    ViewTools *m_viewTools;
     PictureActions m_pictureActions;
     ResourceFiles m_files;
 

@@ -3,9 +3,14 @@
 #include "viewcontrols.h"
 
 #include <QActionGroup>
+#include <QMenu>
 
+#include "axestripod.h"
+#include "qualitycontrol.h"
 #include "viewport.h"
+#include "viewportpane.h"
 #include "windowactions.h"
+#include "windowstate.h"
 
 namespace romanesco {
 
@@ -24,10 +29,25 @@ void changeAppearance(const WindowActions &actions, Viewport &viewport)
     viewport.setAppearance(appearance);
 }
 
+void openMenu(const WindowActions &actions, Viewport &viewport, const QPoint &globalPlace)
+{
+    auto *menu = new QMenu(&viewport);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setToolTipsVisible(true);
+    menu->addActions({actions.zoomToCopy, actions.collapse});
+    menu->addSeparator();
+    menu->addActions({actions.fit, actions.resetView});
+    menu->addSeparator();
+    menu->addActions(actions.tools->actions());
+    menu->addAction(actions.copyMeasurement);
+    menu->popup(globalPlace);
 }
 
-void connectViewControls(const WindowActions &actions, Viewport &viewport)
+}
+
+void connectViewControls(const WindowActions &actions, ViewportPane &pane)
 {
+    Viewport &viewport = pane.viewport();
     const auto onTrigger = [&viewport](const QAction *action, auto act) {
         QObject::connect(action, &QAction::triggered, &viewport, act);
     };
@@ -48,6 +68,27 @@ void connectViewControls(const WindowActions &actions, Viewport &viewport)
     for (const QAction *action : {actions.wireframe, actions.lighting, actions.textures, actions.smooth}) {
         QObject::connect(action, &QAction::toggled, &viewport, change);
     }
+
+    QObject::connect(&viewport, &Viewport::menuRequested, &viewport,
+                     [actions, &viewport](const QPoint &place) { openMenu(actions, viewport, place); });
+
+    AxesTripod &axes = pane.axes();
+    actions.axes->setChecked(WindowState().value("axes", true).toBool());
+    axes.setVisible(actions.axes->isChecked());
+    QObject::connect(actions.axes, &QAction::toggled, &axes, [&axes](bool areShown) {
+        axes.setVisible(areShown);
+        WindowState().setValue("axes", areShown);
+    });
+
+    QualityControl &quality = pane.quality();
+    QObject::connect(&quality, &QualityControl::toleranceChanged, &viewport, [&viewport](double pixels) {
+        viewport.setPixelTolerance(pixels);
+        WindowState().setValue("pixelTolerance", pixels);
+    });
+    QObject::connect(&viewport, &Viewport::viewMoved, &quality,
+                     [&quality, &viewport] { quality.setShift(viewport.shiftOfTolerance()); });
+    quality.setTolerance(WindowState().value("pixelTolerance", 1.0).toDouble());
+    pane.addTools(actions.tools->actions());
 
     QObject::connect(actions.orthographic, &QAction::toggled, &viewport, [&viewport](bool isOrthographic) {
         viewport.setProjection(isOrthographic ? Projection::Orthographic : Projection::Perspective);

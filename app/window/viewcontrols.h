@@ -4,10 +4,10 @@
 
 namespace romanesco {
 
-class Viewport;
+class ViewportPane;
 struct WindowActions;
 
 /// Lets the actions of the View menu that need no text do what they say. Both must live as long.
-void connectViewControls(const WindowActions &actions, Viewport &viewport);
+void connectViewControls(const WindowActions &actions, ViewportPane &pane);
 
 }

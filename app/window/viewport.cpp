@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
+#include <QContextMenuEvent>
 #include <QEnterEvent>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QWheelEvent>
+
+#include "pointertool.h"
 
 namespace romanesco {
 
@@ -22,17 +26,15 @@ constexpr auto slice = 25ms;
 /// The camera counts as moving until it has rested so long.
 constexpr auto restAfter = 150ms;
 
-constexpr double fineTolerance = 1.0;
+/// What stands for a node reaches at most a tenth of its bound's radius beyond that (see standIn()), so points of the two
+/// are at most so many of its diameters apart; and the nearer half of a bound looks a little larger than its middle.
+constexpr double shiftOfStandIn = 1.07;
+
 constexpr int fineSamples = 8;
 /// Where the screen's own pixels are so small, half of them do.
 constexpr int fineSamplesOnDenseScreens = 4;
 constexpr double slowMilliseconds = 100.0;
 constexpr double slowWhileChanging = 16.0;
-
-constexpr double clickDistance = 4.0;
-constexpr double zoomOfNotch = 0.85;
-/// Of an arrow key, in heights of the view.
-constexpr double keyMovement = 1.0 / 24.0;
 
 std::string lineOf(const std::optional<SavedView> &view)
 {
@@ -43,16 +45,30 @@ std::string lineOf(const std::optional<SavedView> &view)
 
 Viewport::Viewport(QWidget *parent)
     : QOpenGLWidget(parent)
+    , m_gestures(*this, m_view)
+    , m_overlay(new ToolOverlay(*this))
 {
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setMinimumSize(160, 120);
     setAccessibleName(tr("Picture of the fractal"));
     m_rest.setSingleShot(true);
     m_rest.setInterval(restAfter);
     connect(&m_rest, &QTimer::timeout, &m_drawing, qOverload<>(&QTimer::start));
     connect(&m_drawing, &QTimer::timeout, this, &Viewport::drawOn);
-    connect(&m_flight, &Flight::begun, this, &Viewport::findSurfaces);
-    connect(&m_flight, &Flight::flown, this, &Viewport::fly);
+    connect(&m_gestures, &ViewGestures::surfacesNeeded, this, &Viewport::findSurfaces);
+    connect(&m_gestures, &ViewGestures::moved, this, &Viewport::cameraChanged);
+    connect(&m_gestures, &ViewGestures::clicked, this, [this](const QPointF &place) {
+        findSurfaces();
+        if (!m_tool || !m_tool->click(place)) {
+            selectAt(place);
+        }
+    });
+    connect(&m_gestures, &ViewGestures::rightClicked, this, [this](const QPointF &place) {
+        findSurfaces();
+        selectAt(place);
+        Q_EMIT menuRequested(mapToGlobal(place.toPoint()));
+    });
     connect(&m_surfaceFinder, &SurfaceFinder::found, this, [this](const std::shared_ptr<SceneRayWalk> &walk) {
         if (walk->scene() == m_scene) {
             m_view.setRayWalk(walk);
@@ -81,6 +97,7 @@ void Viewport::setScene(std::shared_ptr<const Scene> scene)
     m_appearance.colours.selection.reset();
     m_appearance.colours.map.reset();
     m_isSceneNew = true;
+    Q_EMIT sceneChanged(true);
     if (underMouse()) {
         findSurfaces();
     }
@@ -106,6 +123,7 @@ void Viewport::startScene(std::shared_ptr<const Scene> scene, const std::optiona
     m_appearance.colours.selection.reset();
     m_appearance.colours.map.reset();
     m_isSceneNew = true;
+    Q_EMIT sceneChanged(false);
     if (underMouse()) {
         findSurfaces();
     }
@@ -306,7 +324,7 @@ void Viewport::begin(const Request &wanted)
     view.appearance = m_appearance;
     view.width = wanted.width;
     view.height = wanted.height;
-    view.pixelTolerance = wanted.isCoarse ? m_dragTolerance.pixels() : fineTolerance;
+    view.pixelTolerance = wanted.isCoarse ? std::max(m_dragTolerance.pixels(), m_tolerance) : m_tolerance;
     view.samples = wanted.samples;
     m_renderer->begin(view);
     m_sinceBegun.start();
@@ -362,8 +380,12 @@ Viewport::Request Viewport::request() const
     const qreal ratio = devicePixelRatioF();
     const bool isCoarse = isMoving();
     const int samples = ratio >= 1.5 ? fineSamplesOnDenseScreens : fineSamples;
-    return {m_cameraRevision, std::max(1, qRound(width() * ratio)), std::max(1, qRound(height() * ratio)), isCoarse,
-            isCoarse ? 1 : samples};
+    return {m_cameraRevision,
+            std::max(1, qRound(width() * ratio)),
+            std::max(1, qRound(height() * ratio)),
+            isCoarse,
+            isCoarse ? 1 : samples,
+            m_tolerance};
 }
 
 bool Viewport::isMoving() const
@@ -376,6 +398,7 @@ void Viewport::cameraChanged()
     ++m_cameraRevision;
     m_rest.start();
     m_drawing.start();
+    Q_EMIT viewMoved();
 }
 
 double Viewport::aspect() const
@@ -395,9 +418,33 @@ void Viewport::findSurfaces()
 
 void Viewport::selectAt(const QPointF &place)
 {
-    findSurfaces();
-    const auto picked = m_view.pick(fromMiddle(place), 1.0 / std::max(1, height()));
-    select(picked ? std::optional(Selection{picked->item, picked->steps}) : std::nullopt);
+    select(copyAt(place));
+    Q_EMIT clicked(place.toPoint());
+}
+
+std::optional<Selection> Viewport::copyAt(const QPointF &place) const
+{
+    const auto picked = m_view.pick(m_gestures.pointer(place), 1.0 / std::max(1, height()));
+    return picked ? std::optional(Selection{picked->item, picked->steps}) : std::nullopt;
+}
+
+std::optional<SceneView::Picked> Viewport::surfaceAt(const QPointF &place) const
+{
+    return m_view.pick(m_gestures.pointer(place), 0.0);
+}
+
+std::optional<QPointF> Viewport::placeOf(const glm::dvec3 &point) const
+{
+    const std::optional<glm::dvec2> seen = seenAt(camera(), point);
+    return seen ? std::optional(m_gestures.place(*seen)) : std::nullopt;
+}
+
+void Viewport::setTool(PointerTool *tool)
+{
+    m_tool = tool;
+    m_isToolDragged = false;
+    m_overlay->show(tool);
+    unsetCursor();
 }
 
 void Viewport::select(const std::optional<Selection> &selection)
@@ -430,16 +477,46 @@ void Viewport::setAppearance(const Appearance &appearance)
     }
 }
 
+void Viewport::setPixelTolerance(double pixels)
+{
+    if (pixels != m_tolerance) {
+        m_tolerance = pixels;
+        cameraChanged();
+    }
+}
+
+double Viewport::shiftOfTolerance() const
+{
+    if (camera().projection == Projection::Orthographic) {
+        return shiftOfStandIn;
+    }
+    // Seen at an angle to the axis of the view, what is at a distance along the axis is as much larger as it is nearer.
+    const double up = std::tan(0.5 * camera().fieldOfView * std::numbers::pi / 180.0);
+    return shiftOfStandIn * std::hypot(1.0, up, up * aspect());
+}
+
+std::optional<Turn> Viewport::turn() const
+{
+    if (!isViewStarted()) {
+        return std::nullopt;
+    }
+    const Request size = request();
+    Turn turn{m_scene, {}, m_view.pivot(), 1, m_view.trail()};
+    turn.view.camera = camera();
+    turn.view.surroundings = m_view.surroundings();
+    turn.view.appearance = m_appearance;
+    turn.view.appearance.colours.selection.reset();
+    turn.view.appearance.colours.map.reset();
+    turn.view.pixelTolerance = m_tolerance;
+    turn.view.width = size.width;
+    turn.view.height = size.height;
+    return turn;
+}
+
 void Viewport::setTrail(std::optional<std::size_t> trail)
 {
     m_view.setTrail(trail);
     cameraChanged();
-}
-
-glm::dvec2 Viewport::fromMiddle(const QPointF &place) const
-{
-    // The pointer's place is the corner of its pixel.
-    return inHeights(place + QPointF(0.5, 0.5) - QPointF(width() / 2.0, height() / 2.0));
 }
 
 void Viewport::enterEvent(QEnterEvent *event)
@@ -450,115 +527,70 @@ void Viewport::enterEvent(QEnterEvent *event)
 
 // ---- Mouse and keyboard
 
-/// A movement on the screen in heights of the view, y up.
-glm::dvec2 Viewport::inHeights(const QPointF &movement) const
-{
-    return glm::dvec2(movement.x(), -movement.y()) / double(std::max(1, height()));
-}
-
 void Viewport::mousePressEvent(QMouseEvent *event)
 {
-    const bool isLeft = event->button() == Qt::LeftButton;
-    const bool pans = event->button() == Qt::RightButton || (isLeft && event->modifiers() & Qt::ShiftModifier);
-    const bool isFlying = m_flight.isActive() && event->button() == Qt::RightButton;
-    m_drag = isFlying ? Drag::Turn : pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
-    m_isClick = true;
-    m_pressedAt = m_lastAt = event->position();
+    m_isToolDragged = m_tool && event->button() == Qt::LeftButton && m_tool->press(event->position());
+    if (!m_isToolDragged) {
+        m_gestures.press(*event);
+    }
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent *event)
 {
-    if (m_drag == Drag::None) {
+    if (m_isToolDragged) {
+        m_tool->drag(event->position(), event->modifiers());
         return;
     }
-    const QPointF way = event->position() - m_pressedAt;
-    m_isClick = m_isClick && std::hypot(way.x(), way.y()) < clickDistance;
-    if (m_isClick) {
-        return;
+    m_gestures.move(*event);
+    if (m_tool && event->buttons() == Qt::NoButton) {
+        m_tool->hover(event->position());
     }
-    const glm::dvec2 movement = inHeights(event->position() - m_lastAt);
-    m_lastAt = event->position();
-    if (m_drag == Drag::Orbit) {
-        m_view.orbit(movement);
-    } else if (m_drag == Drag::Turn) {
-        m_view.turn(movement);
-    } else {
-        m_view.pan(movement);
-    }
-    cameraChanged();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent *event)
 {
-    if (m_drag == Drag::Orbit && m_isClick) {
-        selectAt(event->position());
-        Q_EMIT clicked(event->position().toPoint());
+    if (!m_isToolDragged) {
+        m_gestures.release(*event);
+    } else if (event->button() == Qt::LeftButton) {
+        m_isToolDragged = false;
+        m_tool->release();
     }
-    m_drag = Drag::None;
 }
 
 void Viewport::wheelEvent(QWheelEvent *event)
 {
-    findSurfaces();
-    m_view.zoom(std::pow(zoomOfNotch, event->angleDelta().y() / 120.0), fromMiddle(event->position()));
-    cameraChanged();
+    m_gestures.turn(*event);
     event->accept();
 }
 
-void Viewport::fly(const glm::dvec3 &way)
+/// That of a key; a press of the right button may be the begin of a drag.
+void Viewport::contextMenuEvent(QContextMenuEvent *event)
 {
-    m_view.fly(way);
-    cameraChanged();
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        Q_EMIT menuRequested(mapToGlobal(rect().center()));
+    }
+}
+
+void Viewport::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && m_tool) {
+        Q_EMIT toolDismissed();
+    } else if (!m_gestures.pressKey(*event)) {
+        QOpenGLWidget::keyPressEvent(event);
+    }
 }
 
 void Viewport::keyReleaseEvent(QKeyEvent *event)
 {
-    // A key that is held is released again and again.
-    if (event->isAutoRepeat() || !m_flight.setHeld(event->key(), false)) {
+    if (!m_gestures.releaseKey(*event)) {
         QOpenGLWidget::keyReleaseEvent(event);
     }
 }
 
 void Viewport::focusOutEvent(QFocusEvent *event)
 {
-    m_flight.stop();
+    m_gestures.stop();
     QOpenGLWidget::focusOutEvent(event);
-}
-
-void Viewport::keyPressEvent(QKeyEvent *event)
-{
-    if (event->modifiers() == Qt::NoModifier && m_flight.setHeld(event->key(), true)) {
-        return;
-    }
-    glm::dvec2 way(0.0);
-    switch (event->key()) {
-    case Qt::Key_Left:
-        way.x = -keyMovement;
-        break;
-    case Qt::Key_Right:
-        way.x = keyMovement;
-        break;
-    case Qt::Key_Up:
-        way.y = keyMovement;
-        break;
-    case Qt::Key_Down:
-        way.y = -keyMovement;
-        break;
-    case Qt::Key_Plus:
-    case Qt::Key_Minus:
-        m_view.zoom(event->key() == Qt::Key_Plus ? zoomOfNotch : 1.0 / zoomOfNotch, glm::dvec2(0.0));
-        cameraChanged();
-        return;
-    default:
-        QOpenGLWidget::keyPressEvent(event);
-        return;
-    }
-    if (event->modifiers() & Qt::ShiftModifier) {
-        m_view.pan(way);
-    } else {
-        m_view.orbit(way);
-    }
-    cameraChanged();
 }
 
 }

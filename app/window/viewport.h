@@ -9,17 +9,20 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
-#include "flight.h"
+#include "app/drawing/turn.h"
 #include "render/dragtolerance.h"
 #include "render/renderer.h"
 #include "render/sceneview.h"
 #include "surfacefinder.h"
+#include "tooloverlay.h"
+#include "viewgestures.h"
 
 namespace romanesco {
 
-/// The picture of a scene, which the mouse and the keyboard look at from all sides: left drag orbits, right drag or
-/// Shift + left drag pans, the wheel zooms to the pointer; W, A, S, D fly, and then right drag looks about. Draws in
-/// slices, so that it never holds up the window: coarsely while the camera moves, then finely, then smoothly.
+class PointerTool;
+
+/// The picture of a scene, which the mouse and the keyboard look at from all sides (see ViewGestures). Draws in slices,
+/// so that it never holds up the window: coarsely while the camera moves, then finely, then smoothly.
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
@@ -53,6 +56,34 @@ public:
     /// The copies that a map made of the only item stand out.
     void selectMap(const std::optional<Step> &map);
 
+    /// Of a picture at rest, in pixels of the screen, above 0 (see View::pixelTolerance).
+    void setPixelTolerance(double pixels);
+    /// How far from its place a tolerance of one pixel can let anything be drawn, in pixels: more in the corners of a wide
+    /// view than in its middle.
+    [[nodiscard]] double shiftOfTolerance() const;
+
+    /// What has the left button and draws over the picture from now on; null for nothing but the view. It must live until
+    /// another takes its place.
+    void setTool(PointerTool *tool);
+    [[nodiscard]] const PointerTool *tool() const { return m_tool; }
+    /// A button or a key that moves the view is held.
+    [[nodiscard]] bool isHeld() const { return m_gestures.isActive() || m_isToolDragged; }
+    /// What the tool draws is another.
+    void updateTool() { m_overlay->update(); }
+
+    /// The copy that is seen at a place; nothing while surfaces are still sought, or beside them.
+    [[nodiscard]] std::optional<Selection> copyAt(const QPointF &place) const;
+    /// The surface under a place, each copy by itself however small; nothing while it is still sought, or beside it.
+    [[nodiscard]] std::optional<SceneView::Picked> surfaceAt(const QPointF &place) const;
+    /// Where a point is seen, counted as the camera is.
+    [[nodiscard]] std::optional<QPointF> placeOf(const glm::dvec3 &point) const;
+    /// Keeps a place of the scene (see SceneView::mark()).
+    void mark(const glm::dvec3 &point, double error) { m_view.mark(point, error); }
+    void clearMarks() { m_view.clearMarks(); }
+
+    /// A turn round what is looked at, from here, as large as here, nothing standing out; nothing before the first view.
+    [[nodiscard]] std::optional<Turn> turn() const;
+
     /// How surfaces are drawn; the copy that was clicked stands out.
     void setAppearance(const Appearance &appearance);
     [[nodiscard]] const Appearance &appearance() const { return m_appearance; }
@@ -66,6 +97,8 @@ public:
     [[nodiscard]] bool isPictureFinished() const;
 
 Q_SIGNALS:
+    /// From another place, another scene, or otherwise to be drawn anew.
+    void viewMoved();
     /// One or more passes over the scene have come into the picture.
     void pictureAdvanced(const romanesco::DrawStatistics &statistics, double pixelTolerance);
     void pictureFinished();
@@ -78,6 +111,12 @@ Q_SIGNALS:
     void projectionChanged(romanesco::Projection projection);
     /// A press and release of the left button in one place, which is not the begin of a drag.
     void clicked(const QPoint &place);
+    /// What can be done with the copy that stands out, or with the view, is asked for at a place of the screen.
+    void menuRequested(const QPoint &globalPlace);
+    /// Another scene has come: what was found in the last one holds no more.
+    void sceneChanged(bool isNewerOfSameText);
+    /// The tool is not wanted any more (Esc).
+    void toolDismissed();
 
 protected:
     void initializeGL() override;
@@ -85,6 +124,7 @@ protected:
     void resizeGL(int width, int height) override;
     void showEvent(QShowEvent *event) override;
     void enterEvent(QEnterEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void keyReleaseEvent(QKeyEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
@@ -94,8 +134,6 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    enum class Drag { None, Orbit, Pan, Turn };
-
     /// What a picture is of, the scene apart: equal requests make equal pictures.
     struct Request {
         quint64 cameraRevision;
@@ -104,13 +142,13 @@ private:
         /// While the camera moves: as exact as there is time for.
         bool isCoarse;
         int samples;
+        /// At rest.
+        double pixelTolerance;
         bool operator==(const Request &) const = default;
     };
 
-    void fly(const glm::dvec3 &way);
     void findSurfaces();
     void selectAt(const QPointF &place);
-    [[nodiscard]] glm::dvec2 fromMiddle(const QPointF &place) const;
     [[nodiscard]] bool makeRenderer();
     void recover();
     void release();
@@ -127,7 +165,6 @@ private:
     [[nodiscard]] Request request() const;
     [[nodiscard]] bool isMoving() const;
     [[nodiscard]] double aspect() const;
-    [[nodiscard]] glm::dvec2 inHeights(const QPointF &movement) const;
 
     std::unique_ptr<Renderer> m_renderer;
     QString m_lack;
@@ -147,6 +184,7 @@ private:
 
     std::optional<Request> m_begun;
     double m_begunTolerance = 0.0;
+    double m_tolerance = 1.0;
     QElapsedTimer m_sinceBegun;
     /// It came from the text.
     QElapsedTimer m_sinceScene;
@@ -156,12 +194,10 @@ private:
     /// How long one pass of the last fine picture took.
     double m_fineMilliseconds = 0.0;
 
-    Drag m_drag = Drag::None;
-    bool m_isClick = false;
-    QPointF m_pressedAt;
-    QPointF m_lastAt;
-
-    Flight m_flight;
+    ViewGestures m_gestures;
+    PointerTool *m_tool = nullptr;
+    bool m_isToolDragged = false;
+    ToolOverlay *m_overlay;
     SurfaceFinder m_surfaceFinder;
 };
 

@@ -7,8 +7,12 @@
 #include <QEvent>
 #include <QLabel>
 #include <QStackedLayout>
+#include <QToolBar>
+#include <QVBoxLayout>
 
+#include "axestripod.h"
 #include "messagestrip.h"
+#include "qualitycontrol.h"
 #include "viewport.h"
 
 namespace romanesco {
@@ -16,10 +20,23 @@ namespace romanesco {
 ViewportPane::ViewportPane(QWidget *parent)
     : QWidget(parent)
     , m_viewport(new Viewport)
+    , m_axes(new AxesTripod(*m_viewport))
     , m_reason(new QLabel)
-    , m_layout(new QStackedLayout(this))
+    , m_layout(new QStackedLayout)
     , m_strip(new MessageStrip(MessageStrip::Closing::ByProgram, this))
+    , m_bar(new QToolBar(tr("Picture tools")))
+    , m_quality(new QualityControl)
 {
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(m_layout, 1);
+    column->addWidget(m_bar);
+    m_bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    auto *space = new QWidget;
+    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    m_firstRight = m_bar->addWidget(space);
+    m_bar->addWidget(m_quality);
     m_reason->setAlignment(Qt::AlignCenter);
     m_reason->setWordWrap(true);
     m_reason->setTextFormat(Qt::PlainText);
@@ -29,6 +46,11 @@ ViewportPane::ViewportPane(QWidget *parent)
     m_layout->addWidget(m_reason);
     connect(m_viewport, &Viewport::unavailable, this, &ViewportPane::showReason);
     connect(m_viewport, &Viewport::ready, this, &ViewportPane::showPicture);
+}
+
+void ViewportPane::addTools(const QList<QAction *> &tools)
+{
+    m_bar->insertActions(m_firstRight, tools);
 }
 
 bool ViewportPane::event(QEvent *event)

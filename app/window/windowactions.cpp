@@ -33,6 +33,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , saveAs(makeAction(window, tr("Save &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S))
     , reload(makeAction(window, tr("Re&load"), Qt::Key_F4))
     , exportMesh(makeAction(window, tr("&Export…"), Qt::CTRL | Qt::Key_E))
+    , saveTurntable(makeAction(window, tr("Save &Turntable…"), Qt::CTRL | Qt::SHIFT | Qt::Key_T))
     , closeTab(makeAction(window, tr("&Close"), Qt::CTRL | Qt::Key_W))
     , nextTab(makeAction(window, tr("&Next Text"), Qt::CTRL | Qt::Key_Tab))
     , previousTab(makeAction(window, tr("&Previous Text"), Qt::CTRL | Qt::SHIFT | Qt::Key_Tab))
@@ -54,6 +55,15 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , lighting(makeAction(window, tr("&Lighting")))
     , textures(makeAction(window, tr("&Textures")))
     , smooth(makeAction(window, tr("&Smooth Shading")))
+    , axes(makeAction(window, tr("A&xes")))
+    , zoomToCopy(makeFor(viewport, tr("&Zoom Into This Copy"), Qt::Key_Z))
+    , collapse(makeFor(viewport, tr("Collapse to Here"), Qt::Key_C))
+    , tools(new QActionGroup(&window))
+    , measure(makeFor(viewport, tr("&Measure"), Qt::Key_M))
+    , move(makeFor(viewport, tr("Mo&ve"), Qt::Key_G))
+    , rotate(makeFor(viewport, tr("Rotat&e"), Qt::Key_R))
+    , scale(makeFor(viewport, tr("Scale"), Qt::Key_T))
+    , copyMeasurement(makeAction(window, tr("Copy Meas&urement"), Qt::CTRL | Qt::ALT | Qt::Key_C))
     , nextPart(makeAction(window, tr("Next &Part"), Qt::Key_F7))
     , previousPart(makeAction(window, tr("Previous P&art"), Qt::SHIFT | Qt::Key_F7))
     , fullScreen(makeAction(window, tr("&Full Screen"), Qt::Key_F11))
@@ -82,6 +92,21 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
         addTrail(tr("Trail of &%1").arg(levels), levels);
     }
     trail->actions().first()->setChecked(true);
+    zoomToCopy->setStatusTip(tr("Lets the copy that stands out fill the view"));
+    collapse->setStatusTip(tr("Changes the depth in the text, so that the copy that stands out is of the last level"));
+    collapse->setToolTip(
+        tr("Changes the depth in the text, so that the copy that stands out is of the last level (C)"));
+    tools->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction *tool : {measure, move, rotate, scale}) {
+        tool->setCheckable(true);
+        tools->addAction(tool);
+    }
+    measure->setStatusTip(tr("Clicks tell place, normal and address of the surface, and the distance between two"));
+    move->setStatusTip(tr("Handles at what was clicked change its position in the text; with Shift finer"));
+    rotate->setStatusTip(tr("Rings round what was clicked change its angles in the text; with Shift finer"));
+    scale->setStatusTip(tr("Handles at what was clicked change its scale in the text; with Shift finer"));
+    axes->setCheckable(true);
+    axes->setStatusTip(tr("The world's axes in the corner; a click on one looks along it"));
     orthographic->setCheckable(true);
     endless->setCheckable(true);
     pin->setCheckable(true);
@@ -109,7 +134,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
 
     QMenu *edit = bar.addMenu(tr("&Edit"));
     QMenu *view = bar.addMenu(tr("&View"));
-    view->addActions({fit, resetView});
+    view->addActions({fit, resetView, zoomToCopy, collapse});
     view->addSeparator();
     view->addActions({front, right, top, orthographic});
     view->addSeparator();
@@ -118,6 +143,10 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addSeparator();
     view->addMenu(tr("&Colour By"))->addActions(colouring->actions());
     view->addActions({wireframe, lighting, textures, smooth});
+    view->addSeparator();
+    view->addAction(axes);
+    view->addActions(tools->actions());
+    view->addAction(copyMeasurement);
     view->addSeparator();
 
     QMenu *go = bar.addMenu(tr("&Go"));

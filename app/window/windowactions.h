@@ -19,7 +19,7 @@ class TextActions;
 struct WindowActions {
     Q_DECLARE_TR_FUNCTIONS(WindowActions)
 public:
-    /// viewport is the widget whose keys (F, Home, E, 1, 3, 7, 5) work only while it has the focus.
+    /// viewport is the widget whose keys (F, Home, E, 1, 3, 7, 5, Z, C, M, G, R, T) work only while it has the focus.
     WindowActions(QWidget &window, QWidget &viewport);
 
     /// Returns the menus that the window adds to.
@@ -44,6 +44,7 @@ public:
     QAction *saveAs;
     QAction *reload;
     QAction *exportMesh;
+    QAction *saveTurntable;
     QAction *closeTab;
     QAction *nextTab;
     QAction *previousTab;
@@ -69,6 +70,17 @@ public:
     QAction *lighting;
     QAction *textures;
     QAction *smooth;
+    QAction *axes;
+    /// Of the copy that stands out.
+    QAction *zoomToCopy;
+    QAction *collapse;
+    /// Of these one is checked, or none.
+    QActionGroup *tools;
+    QAction *measure;
+    QAction *move;
+    QAction *rotate;
+    QAction *scale;
+    QAction *copyMeasurement;
 
     QAction *nextPart;
     QAction *previousPart;

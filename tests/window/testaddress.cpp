@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
+#include <QAction>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QStatusBar>
 
@@ -55,6 +57,12 @@ private Q_SLOTS:
     void zoomingFillsTheViewWithACopy();
     void theCursorLetsCopiesStandOut();
     void anotherTextHasNoAddress();
+    void theMouseThatRestsTellsTheAddress();
+    void whileTheViewMovesNothingIsTold();
+    void aRightClickOffersWhatCanBeDone();
+    void collapsingEndsTheDepthAtTheStep_data();
+    void collapsingEndsTheDepthAtTheStep();
+    void whatTheDepthDoesNotCountStays();
 };
 
 void TestAddress::stepsAreListed()
@@ -165,6 +173,180 @@ void TestAddress::anotherTextHasNoAddress()
     QVERIFY(sample.window.openFile(QStringLiteral(":/examples/menger.fdo")));
     QVERIFY(wordsOf(listOf(sample)).isEmpty());
     QVERIFY(!sample.viewport.appearance().colours.selection);
+}
+
+namespace {
+
+QString said(const Sample &sample)
+{
+    return sample.window.findChild<QStatusBar *>()->currentMessage();
+}
+
+/// Where a copy is seen, once surfaces are known.
+std::optional<QPoint> placeOfACopy(const Sample &sample)
+{
+    QTest::mouseMove(&sample.viewport, {2, 2});
+    QTest::mouseMove(&sample.viewport, {3, 2});
+    QEnterEvent enter(QPointF(1, 1), QPointF(1, 1), QPointF(1, 1));
+    QCoreApplication::sendEvent(&sample.viewport, &enter);
+    if (!QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 20'000)) {
+        return std::nullopt;
+    }
+    for (int y = 0; y < sample.viewport.height(); y += 3) {
+        for (int x = 100; x < sample.viewport.width(); x += 3) {
+            if (sample.viewport.copyAt(QPointF(x, y))) {
+                return QPoint(x + 1, y + 1);
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// With the status bar's words that of its steps.
+QString wordsAt(const Sample &sample, QPoint place)
+{
+    const std::optional<Selection> copy = sample.viewport.copyAt(place);
+    return copy ? QStringLiteral("<$> at.%1 › row at.%2").arg(copy->steps[0].map + 3).arg(copy->steps[1].map + 1)
+                : QString();
+}
+
+QAction &actionOf(const Sample &sample, const QString &words)
+{
+    for (QAction *action : sample.window.findChildren<QAction *>()) {
+        if (action->text().remove(u'&') == words) {
+            return *action;
+        }
+    }
+    qFatal("no such action");
+}
+
+}
+
+void TestAddress::theMouseThatRestsTellsTheAddress()
+{
+    Sample sample;
+    openRows(sample);
+    QVERIFY(sample.waitForPicture());
+    const std::optional<QPoint> place = placeOfACopy(sample);
+    QVERIFY(place);
+    const QString before = said(sample);
+    QTest::mouseMove(&sample.viewport, *place);
+    QVERIFY(QTest::qWaitFor([&] { return said(sample) == wordsAt(sample, *place); }, 20'000));
+    QVERIFY(!sample.viewport.appearance().colours.selection);
+    QVERIFY(wordsOf(listOf(sample)).isEmpty());
+    // Beside the copies, and beside the picture, there is nothing to tell.
+    QTest::mouseMove(&sample.viewport, {2, 2});
+    QCOMPARE(said(sample), before);
+    QTest::mouseMove(&sample.viewport, *place);
+    QVERIFY(QTest::qWaitFor([&] { return said(sample) == wordsAt(sample, *place); }, 20'000));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&sample.viewport, &leave);
+    QCOMPARE(said(sample), before);
+    // A copy that was clicked is told again once nothing else is.
+    QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, *place);
+    QVERIFY(!wordsOf(listOf(sample)).isEmpty());
+    const QString clicked = said(sample);
+    QTest::mouseMove(&sample.viewport, *place + QPoint(1, 0));
+    QTest::mouseMove(&sample.viewport, {2, 2});
+    QCOMPARE(said(sample), clicked);
+}
+
+void TestAddress::whileTheViewMovesNothingIsTold()
+{
+    Sample sample;
+    openRows(sample);
+    QVERIFY(sample.waitForPicture());
+    const std::optional<QPoint> place = placeOfACopy(sample);
+    QVERIFY(place);
+    const QString before = said(sample);
+    QTest::mouseMove(&sample.viewport, *place);
+    QVERIFY(QTest::qWaitFor([&] { return said(sample) != before; }, 20'000));
+    QTest::mousePress(&sample.viewport, Qt::LeftButton, {}, *place);
+    QCOMPARE(said(sample), before);
+    QTest::qWait(600);
+    QCOMPARE(said(sample), before);
+    QTest::mouseMove(&sample.viewport, *place + QPoint(30, 0));
+    QTest::mouseRelease(&sample.viewport, Qt::LeftButton, {}, *place + QPoint(30, 0));
+    QCOMPARE(said(sample), before);
+}
+
+void TestAddress::aRightClickOffersWhatCanBeDone()
+{
+    Sample sample;
+    openRows(sample);
+    QVERIFY(sample.waitForPicture());
+    const std::optional<QPoint> place = placeOfACopy(sample);
+    QVERIFY(place);
+    const auto menu = [&] { return qobject_cast<QMenu *>(QApplication::activePopupWidget()); };
+    QTest::mouseClick(&sample.viewport, Qt::RightButton, {}, *place);
+    QVERIFY(menu() && menu()->actions().contains(&actionOf(sample, QStringLiteral("Zoom Into This Copy"))));
+    QVERIFY(actionOf(sample, QStringLiteral("Zoom Into This Copy")).isEnabled());
+    QCOMPARE(wordsOf(listOf(sample)).size(), 2);
+    menu()->close();
+    QTest::mouseClick(&sample.viewport, Qt::RightButton, {}, {3, 3});
+    QVERIFY(menu());
+    QVERIFY(!actionOf(sample, QStringLiteral("Zoom Into This Copy")).isEnabled());
+    QVERIFY(!actionOf(sample, QStringLiteral("Collapse to Here")).isEnabled());
+    menu()->close();
+    // A drag is none.
+    QTest::mousePress(&sample.viewport, Qt::RightButton, {}, *place);
+    QTest::mouseMove(&sample.viewport, *place + QPoint(20, 0));
+    QTest::mouseRelease(&sample.viewport, Qt::RightButton, {}, *place + QPoint(20, 0));
+    QVERIFY(!menu());
+}
+
+void TestAddress::collapsingEndsTheDepthAtTheStep_data()
+{
+    QTest::addColumn<bool>("isEndless");
+    QTest::newRow("as written") << false;
+    QTest::newRow("endless") << true;
+}
+
+void TestAddress::collapsingEndsTheDepthAtTheStep()
+{
+    QFETCH(const bool, isEndless);
+    Sample sample;
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    const QByteArray text = "v 1 0 0\nv -1 0 0\nh 0.3 0.3 0.3\nx. \"cube.obj\"\nat.p. (p, #, h)\nz<x>. [at.1, at.2] x\n"
+                            "y. z 5\n<$>. [at.2] y\n";
+    QVERIFY(sample.openAndWait(sample.write(QStringLiteral("deep.fdo"), text)));
+    if (isEndless) {
+        actionOf(sample, QStringLiteral("Endless")).trigger();
+        QVERIFY(QTest::qWaitFor([&] {
+            const auto &all = sample.viewport.view().surroundings();
+            return all && all->scene->items[0].model->graph.levels().levelCount() > 100;
+        }));
+    }
+    // <$> at.2, then z[1] to z[4]
+    const std::uint32_t outer = 1;
+    sample.viewport.select(Selection{0, {{outer, 0}, {0, 0}, {0, 1}, {0, 0}, {0, 1}}});
+    Q_EMIT sample.viewport.clicked({});
+    QListWidget &list = listOf(sample);
+    QCOMPARE(wordsOf(list).size(), 5);
+    QVERIFY(list.item(3)->text().startsWith(QStringLiteral("z[3]")));
+    list.setCurrentRow(3);
+    auto &collapse = actionOf(sample, QStringLiteral("Collapse to Here"));
+    QVERIFY(collapse.isEnabled());
+    QVERIFY(sample.focusViewport());
+    QTest::keyClick(&sample.viewport, Qt::Key_C);
+    QVERIFY(sample.editor.toPlainText().contains(QStringLiteral("y. z 3\n")));
+    QVERIFY(QTest::qWaitFor([&] {
+        const auto &all = sample.viewport.view().surroundings();
+        return all && all->scene->items[0].model->graph.levels().levelCount() == 4;
+    }));
+    QVERIFY(!actionOf(sample, QStringLiteral("Endless")).isChecked());
+    sample.editor.undo();
+    QCOMPARE(sample.editor.toPlainText().toUtf8(), text);
+}
+
+void TestAddress::whatTheDepthDoesNotCountStays()
+{
+    Sample sample;
+    openRows(sample);
+    sample.viewport.select(Selection{0, {{1, 1}, {0, 0}}});
+    Q_EMIT sample.viewport.clicked({});
+    QVERIFY(!actionOf(sample, QStringLiteral("Collapse to Here")).isEnabled());
+    QVERIFY(actionOf(sample, QStringLiteral("Zoom Into This Copy")).isEnabled());
 }
 
 int main(int argc, char **argv)

@@ -60,6 +60,23 @@ struct WindowSample {
     {
         return QTest::qWaitFor([&] { return drawn > 0 && viewport.isPictureFinished(); }, 120'000);
     }
+    /// Opens a text and waits for the picture of that.
+    bool openAndWait(const QString &path)
+    {
+        const auto before = viewport.view().surroundings();
+        const auto isAnother = [&] {
+            const auto &now = viewport.view().surroundings();
+            return now && (!before || now->scene != before->scene) && viewport.isPictureFinished();
+        };
+        return window.openFile(path) && QTest::qWaitFor(isAnother, 120'000);
+    }
+    /// So that its keys are the viewport's.
+    bool focusViewport()
+    {
+        window.activateWindow();
+        viewport.setFocus();
+        return QTest::qWaitForWindowActive(&window) && viewport.hasFocus();
+    }
     bool waitForEmptyPicture() const
     {
         return QTest::qWaitFor([&] { return drawn == 0 && viewport.isPictureFinished(); }, 120'000);
