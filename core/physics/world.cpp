@@ -8,6 +8,7 @@
 #include "ballstepper.h"
 #include "dissertationstep.h"
 #include "exponential.h"
+#include "islandstep.h"
 #include "statehash.h"
 
 namespace romanesco {
@@ -49,6 +50,7 @@ void World::setSurface(Surface surface)
         ball.clearance = 0.0;
         ball.supports.clear();
         ball.isAsleep = false;
+        ball.calmSteps = 0;
     }
 }
 
@@ -57,9 +59,15 @@ void World::step()
     if (m_options.shrinkRate > 0.0) {
         shrink();
     }
-    m_team.run(m_balls.size(), ballsAtATime, [this](std::size_t first, std::size_t last, unsigned thread) {
-        stepBalls(first, last, *m_probes[thread]);
-    });
+    if (m_options.areSolid && !m_options.isAsInDissertation) {
+        stepTogether();
+    } else {
+        m_team.run(m_balls.size(), ballsAtATime, [this](std::size_t first, std::size_t last, unsigned thread) {
+            for (std::size_t i = first; i < last; ++i) {
+                stepAlone(i, *m_probes[thread]);
+            }
+        });
+    }
     ++m_stepCount;
     m_lostSteps += static_cast<std::uint64_t>(std::ranges::count_if(m_reports, &StepReport::isExhausted));
 }
@@ -74,13 +82,35 @@ void World::shrink()
     }
 }
 
-void World::stepBalls(std::size_t first, std::size_t last, Probe &probe)
+void World::stepAlone(std::size_t ball, Probe &probe)
 {
     const Laws &laws = m_options.laws;
-    for (std::size_t i = first; i < last; ++i) {
-        m_reports[i] = m_options.isAsInDissertation ? stepAsInDissertation(m_balls[i], laws, probe, laws.timeStep)
-                                                    : stepBall(m_balls[i], laws, probe, laws.timeStep);
+    m_reports[ball] = m_options.isAsInDissertation ? stepAsInDissertation(m_balls[ball], laws, probe, laws.timeStep)
+                                                   : stepBall(m_balls[ball], laws, probe, laws.timeStep);
+}
+
+void World::stepTogether()
+{
+    const Laws &laws = m_options.laws;
+    const std::vector<BallIsland> islands = islandsOf(m_balls, nearPairs(m_balls, laws, laws.timeStep));
+    std::vector<bool> isAlone(m_balls.size(), true);
+    for (const BallIsland &island : islands) {
+        for (const std::size_t ball : island.balls) {
+            isAlone[ball] = false;
+        }
     }
+    m_team.run(islands.size(), 1, [&](std::size_t first, std::size_t last, unsigned thread) {
+        for (std::size_t i = first; i < last; ++i) {
+            stepIsland(islands[i], m_balls, m_reports, laws, *m_probes[thread]);
+        }
+    });
+    m_team.run(m_balls.size(), ballsAtATime, [&](std::size_t first, std::size_t last, unsigned thread) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (isAlone[i]) {
+                stepAlone(i, *m_probes[thread]);
+            }
+        }
+    });
 }
 
 std::uint64_t World::stateHash() const
@@ -96,7 +126,8 @@ std::uint64_t World::stateHash() const
         for (const glm::dvec3 &n : ball.supports.directions()) {
             hash.add(n);
         }
-        hash.add(std::uint64_t{ball.isAsleep});
+        hash.add(std::uint64_t{ball.isAsleep} + 2 * std::uint64_t{ball.isPiled});
+        hash.add(std::uint64_t{ball.calmSteps});
     }
     return hash.value();
 }

@@ -12,8 +12,9 @@
 
 namespace romanesco {
 
-/// Balls on a surface. One thread at a time; a step shares its work among threads, and comes to the same on any number of
-/// them: each ball is stepped by itself, and what it comes to is put where it belongs.
+/// Balls on a surface and among each other. One thread at a time; a step shares its work among threads, and comes to the same on any number of
+/// them: each ball is stepped by itself, or with those that it may
+/// touch (see stepIsland()), and what it comes to is put where it belongs.
 class World
 {
 public:
@@ -21,8 +22,10 @@ public:
         Laws laws = {};
         /// Radii shrink by so much a second, as the power of e: to a billionth at most. Not negative.
         double shrinkRate = 0.0;
-        /// Steps as the dissertation's, which tunnel.
+        /// Steps as the dissertation's, which tunnel, and where balls pass one another.
         bool isAsInDissertation = false;
+        /// Whether balls collide with each other.
+        bool areSolid = true;
         /// As many as the machine runs at once where it is 0.
         unsigned threads = 0;
     };
@@ -51,7 +54,8 @@ public:
 
 private:
     void shrink();
-    void stepBalls(std::size_t first, std::size_t last, Probe &probe);
+    void stepAlone(std::size_t ball, Probe &probe);
+    void stepTogether();
 
     Options m_options;
     std::shared_ptr<const Surface> m_surface;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "ballstep.h"
+
+namespace romanesco {
+
+/// Balls that may touch one another within a step, by their numbers.
+struct BallPair {
+    std::size_t one = 0;
+    /// Above `one`.
+    std::size_t other = 0;
+
+    auto operator<=>(const BallPair &) const = default;
+};
+
+/// All pairs whose balls can come so near within a time that they touch, in order, of those of which one is awake or both
+/// lie in a pile. Cost: a sort, and what overlaps along one axis.
+[[nodiscard]] std::vector<BallPair> nearPairs(std::span<const BallState> balls, const Laws &laws, double time);
+
+/// Balls that are tied by pairs.
+struct BallIsland {
+    std::vector<std::size_t> balls;
+    std::vector<BallPair> pairs;
+};
+
+/// All islands of which one ball is awake, in order of their first balls.
+[[nodiscard]] std::vector<BallIsland> islandsOf(std::span<const BallState> balls, std::span<const BallPair> pairs);
+
+}
