@@ -87,7 +87,11 @@ void PinnedNumbers::step(int id, int steps)
     if (now) {
         entry->edit.track(entry->begin.position(), entry->end.position());
         const NumberPlace &from = entry->atGestureBegin ? *entry->atGestureBegin : *now;
+        // An entry that does not outlive its step must not go in the middle of it.
+        m_isStepping = true;
         entry->edit.replace(QString::fromStdString(stepped(from, steps, false).text));
+        m_isStepping = false;
+        follow();
     }
 }
 
@@ -125,7 +129,7 @@ void PinnedNumbers::track(Entry &entry, const NumberPlace &place)
 
 void PinnedNumbers::follow()
 {
-    if (m_entries.empty()) {
+    if (m_entries.empty() || m_isStepping) {
         return;
     }
     std::erase_if(m_entries, [this](const auto &entry) {

@@ -61,6 +61,7 @@ private:
     FdoEditor &m_editor;
     std::vector<std::unique_ptr<Entry>> m_entries;
     int m_nextId = 0;
+    bool m_isStepping = false;
 };
 
 }
