@@ -74,9 +74,12 @@ bool SceneView::startFrom(const SavedView &view)
 {
     toWorld();
     if (view.place && !enter(view.place->item, view.place->steps)) {
+        m_anchor.emplace(m_scene); // what is seen has not gone along
+        settle();
         return false;
     }
     settle();
+    countMarksFromHere();
     m_orbit.start(cameraOf(view.camera), m_surroundings->nearby);
     m_orbit.setNearby(2.0 * m_surroundings->nearby.radius, m_anchor->isInWorld());
     if (m_trail) {
@@ -101,6 +104,7 @@ bool SceneView::goTo(std::size_t item, std::span<const Step> steps, double aspec
         return false;
     }
     settle();
+    countMarksFromHere();
     m_orbit.frame(m_anchor->bound(), aspect);
     follow();
     return true;
@@ -142,6 +146,17 @@ void SceneView::move(const Anchor::Move &move)
         mark.error += roundings * (glm::length(mark.point) + glm::length(move.offset));
         mark.point = move(mark.point);
         mark.error /= move.scale;
+    }
+}
+
+/// From the world, as well as that can tell them.
+void SceneView::countMarksFromHere()
+{
+    const double unit = std::exp2(m_surroundings->unitExponent);
+    for (Mark &mark : m_marks) {
+        mark.error += roundings * (glm::length(mark.point) + glm::length(m_surroundings->origin));
+        mark.point = (mark.point - m_surroundings->origin) / unit;
+        mark.error /= unit;
     }
 }
 

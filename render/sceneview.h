@@ -99,6 +99,7 @@ public:
 private:
     void toWorld();
     void move(const Anchor::Move &move);
+    void countMarksFromHere();
     [[nodiscard]] bool enter(std::size_t item, std::span<const Step> steps);
     [[nodiscard]] bool startFrom(const SavedView &view);
     void follow();

@@ -220,7 +220,6 @@ private Q_SLOTS:
         row("json of format", {"format", "--json", good});
         row("unknown command", {"exprot"});
         row("unknown global option", {"--colour"});
-        row("two files to edit", {good, good});
         row("no output", {"render", good});
         row("bad size", {"render", good, "-o", "a.png", "--size", "12"});
         row("size too large", {"render", good, "-o", "a.png", "--size", "100000x10"});

@@ -12,7 +12,12 @@ function(romanesco_gui_test folder source platform)
     target_link_libraries(${program} PRIVATE romanesco_options Qt6::Test ${ARG_LINKS})
     target_compile_definitions(${program} PRIVATE QT_NO_KEYWORDS ROMANESCO_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     set_target_properties(${program} PROPERTIES AUTOMOC ON)
-    add_test(NAME ${folder}.${class} COMMAND ${program})
+    # A display of its own: tests that run beside one another would move one another's mouse.
+    set(display)
+    if(platform STREQUAL xcb)
+        set(display "${PROJECT_SOURCE_DIR}/packaging/withdisplay")
+    endif()
+    add_test(NAME ${folder}.${class} COMMAND ${display} $<TARGET_FILE:${program}>)
     set_tests_properties(${folder}.${class} PROPERTIES TIMEOUT 300 ENVIRONMENT "QT_QPA_PLATFORM=${platform}")
     if(platform STREQUAL offscreen)
         # With a display in sight, this platform would find OpenGL on it.
