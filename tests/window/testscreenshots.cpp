@@ -70,7 +70,7 @@ struct Scenery : Sample {
 
 }
 
-/// The main states of the window, as they are kept in docs/pictures/window (HACKING says how).
+/// The main states of the window, as they are kept in docs/window (HACKING says how).
 class TestScreenshots : public QObject
 {
     Q_OBJECT
