@@ -108,6 +108,11 @@ std::expected<GlProgram, std::string> makeProgram(std::initializer_list<ShaderSt
     return program;
 }
 
+GlTexture makeDepths(int width, int height)
+{
+    return makeTexture(width, height, GL_DEPTH_COMPONENT32F);
+}
+
 std::expected<Target, std::string> makeTarget(int width, int height, GLenum colourFormat, bool hasDepth)
 {
     static_cast<void>(ranOutOfMemory()); // of whoever used the context before
@@ -119,7 +124,7 @@ std::expected<Target, std::string> makeTarget(int width, int height, GLenum colo
     }
     glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, target.colour, 0);
     if (hasDepth) {
-        target.depth = makeTexture(width, height, GL_DEPTH_COMPONENT32F);
+        target.depth = makeDepths(width, height);
         glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, target.depth, 0);
     }
     const bool isComplete = glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;

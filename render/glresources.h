@@ -111,6 +111,9 @@ struct Target {
     GlFramebuffer framebuffer;
 };
 
+/// Depths like a target's.
+[[nodiscard]] GlTexture makeDepths(int width, int height);
+
 /// The error is a sentence; the driver may be out of memory.
 [[nodiscard]] std::expected<Target, std::string> makeTarget(int width, int height, GLenum colourFormat, bool hasDepth);
 

@@ -183,6 +183,18 @@ public:
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
+    std::expected<void, std::string> presentBalls(GLuint framebuffer, int width, int height,
+                                                  std::span<const BallSprite> balls)
+    {
+        if (!m_behindBalls || m_sumCount == 0) {
+            return {};
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        const BallLayer::Picture picture{m_behindBalls->projector, *m_behindBalls->surroundings, m_behindBalls->isLit,
+                                         m_behindBalls->depths};
+        return m_balls.draw(balls, picture, width, height);
+    }
+
     Picture read()
     {
         auto target = makeTarget(m_shown->width, m_shown->height, GL_RGBA8, false);
@@ -264,7 +276,7 @@ private:
             m_cut->setDepths(m_view.leavesOutHidden ? &m_looks.depths() : nullptr);
             m_cut->begin(*m_projector, m_surroundings,
                          m_roughness > 1.0 ? m_roughness * std::max(1.0, m_view.pixelTolerance) : m_view.pixelTolerance,
-                         m_view.appearance.colours);
+                         m_view.appearance.colours, m_view.leavesOutBalls);
         }
         if (m_cut) {
             const Surfaces::Pass pass{*m_projector, static_cast<unsigned>(m_passes)};
@@ -359,6 +371,9 @@ private:
             beginPass();
             return;
         }
+        if (m_passes == 0) {
+            keepDepths();
+        }
         if (m_view.samples == 1) {
             // It is the picture.
             std::swap(m_pass, m_single);
@@ -391,6 +406,26 @@ private:
         glDisable(GL_BLEND);
         m_shown = &m_sum;
         endPass();
+    }
+
+    /// Those of the first pass do for all: a pass has its pixels shifted by less than one.
+    void keepDepths()
+    {
+        if (!m_view.leavesOutBalls || !m_cut) {
+            m_behindBalls.reset();
+            return;
+        }
+        if (!m_behindBalls || m_behindBalls->projector.width != m_pass.width
+            || m_behindBalls->projector.height != m_pass.height) {
+            m_behindBalls.emplace();
+            m_behindBalls->depths = makeDepths(m_pass.width, m_pass.height);
+        }
+        glCopyImageSubData(m_pass.depth, GL_TEXTURE_2D, 0, 0, 0, 0, m_behindBalls->depths, GL_TEXTURE_2D, 0, 0, 0, 0,
+                           m_pass.width, m_pass.height, 1);
+        m_behindBalls->projector = *m_projector;
+        m_behindBalls->projector.jitter = {0.0, 0.0};
+        m_behindBalls->surroundings = m_surroundings;
+        m_behindBalls->isLit = m_view.appearance.isLit;
     }
 
     void endPass()
@@ -432,6 +467,15 @@ private:
     std::size_t m_graphBytes = 0;
     DepthLooks m_looks;
     GLsync m_passFence = nullptr;
+    /// Of the picture that is shown, what balls are drawn over.
+    struct BehindBalls {
+        GlTexture depths;
+        Projector projector;
+        std::shared_ptr<const Surroundings> surroundings;
+        bool isLit = true;
+    };
+    std::optional<BehindBalls> m_behindBalls;
+    BallLayer m_balls;
     Target m_pass;
     /// The last picture of one sample.
     Target m_single;
@@ -493,6 +537,12 @@ const std::string &Renderer::error() const
 void Renderer::present(unsigned framebuffer, int width, int height)
 {
     d->present(framebuffer, width, height);
+}
+
+std::expected<void, std::string> Renderer::presentBalls(unsigned framebuffer, int width, int height,
+                                                        std::span<const BallSprite> balls)
+{
+    return d->presentBalls(framebuffer, width, height, balls);
 }
 
 Picture Renderer::read()

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <expected>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "appearance.h"
+#include "balllayer.h"
 #include "camera.h"
 #include "core/scene/anchor.h"
 
@@ -29,6 +31,8 @@ struct View {
     /// Pictures with shifted pixels that are averaged; 1 is exactly the pixel centre.
     int samples = 1;
     Appearance appearance{};
+    /// The balls of the scene are left out, and presentBalls() can draw others.
+    bool leavesOutBalls = false;
     /// Copies behind all that is drawn are not sent, which no pixel shows; otherwise all are, to measure what that is worth.
     bool leavesOutHidden = true;
     /// Nothing is taken from the picture before, not even a guess of what is hidden: equal views make equal pictures, where
@@ -88,7 +92,12 @@ public:
     /// Puts the average of the finished samples into a framebuffer (0 for a window's own), scaled to width x height.
     void present(unsigned framebuffer, int width, int height);
 
-    /// The same, off the card, at its own size. Waits for the card. Without pixels where there is nothing to show, or no memory
+    /// Over that, what is seen of balls from where the shown picture was taken; nothing where that has all its own balls. The
+    /// error is a sentence.
+    [[nodiscard]] std::expected<void, std::string> presentBalls(unsigned framebuffer, int width, int height,
+                                                                std::span<const BallSprite> balls);
+
+    /// The same as present(), off the card, at its own size. Waits for the card. Without pixels where there is nothing to show, or no memory
     /// for it.
     [[nodiscard]] Picture read();
 

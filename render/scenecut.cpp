@@ -34,7 +34,7 @@ SceneCut::SceneCut(const Scene &scene)
 }
 
 void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings,
-                     double pixelTolerance, const CopyColours &colours)
+                     double pixelTolerance, const CopyColours &colours, bool leavesOutBalls)
 {
     assert(surroundings->scene.get() == &m_scene && "the place lies in the scene");
     dropSpent();
@@ -45,7 +45,9 @@ void SceneCut::begin(const Projector &projector, std::shared_ptr<const Surroundi
     m_runs.clear();
     const auto sameItem = [](const auto &a, const auto &b) { return a.item == b.item; };
     for (const auto &run : m_surroundings->nodes | std::views::chunk_by(sameItem)) {
-        m_runs.emplace_back(run);
+        if (!leavesOutBalls || m_scene.items[run.front().item].kind != SceneDescription::Kind::Ball) {
+            m_runs.emplace_back(run);
+        }
     }
     m_isItemBegun = false;
     m_instances = 0;

@@ -22,7 +22,7 @@ public:
 
     /// Starts over (see Cut::begin()), with what surrounds a place in the scene.
     void begin(const Projector &projector, std::shared_ptr<const Surroundings> surroundings, double pixelTolerance,
-               const CopyColours &colours = {});
+               const CopyColours &colours = {}, bool leavesOutBalls = false);
 
     /// See Cut::setDepths().
     void setDepths(const Depths *depths);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <epoxy/gl.h>
-#include <glm/geometric.hpp>
 
 #include "shaders.h"
 
@@ -16,31 +15,7 @@ namespace romanesco {
 
 namespace {
 
-/// As the shaders have it (std140).
-struct PassBlock {
-    std::array<GLfloat, 2> scale;
-    std::array<GLfloat, 2> jitter;
-    std::array<GLfloat, 2> halfSize;
-    GLfloat near;
-    GLfloat range;
-    GLint isPerspective;
-    GLint isLit;
-    GLuint number;
-    GLint lightCount;
-};
-static_assert(sizeof(PassBlock) == 48);
-
-struct LightBlock {
-    std::array<GLfloat, 4> place;
-    std::array<GLfloat, 4> colour;
-};
-
-/// What is farther away shines from its direction. The square is a float, too.
-constexpr double farthestLight = 1e15;
-
 /// Bindings and locations of the shaders.
-constexpr GLuint passBinding = 0;
-constexpr GLuint lightsBinding = 0;
 constexpr GLuint textureUnit = 0;
 enum Uniform { Diffuse, Specular, Shininess, Emission, Opacity };
 
@@ -54,11 +29,6 @@ bool isSeeThrough(const Scene &scene)
     const auto shows = [](const Material &material) { return material.opacity < 1.0f || material.diffuseImage; };
     return std::ranges::any_of(
         scene.items, [&](const SceneItem &item) { return std::ranges::any_of(item.model->mesh->materials, shows); });
-}
-
-GLfloat asFloat(double value)
-{
-    return static_cast<GLfloat>(value);
 }
 
 /// Of faces without a material.
@@ -75,9 +45,7 @@ Material plainMaterial(const Mesh &mesh)
 
 std::expected<void, std::string> Surfaces::make()
 {
-    m_pass = makeBuffer();
-    glNamedBufferStorage(m_pass, sizeof(PassBlock), nullptr, GL_DYNAMIC_STORAGE_BIT);
-    m_lights = makeBuffer();
+    m_uniforms.make();
     return use({});
 }
 
@@ -111,43 +79,14 @@ void Surfaces::beginPass(const Pass &pass, const Surroundings &surroundings, con
     m_passFeatures.set(Lamps, !surroundings.scene->lights.empty());
     m_passFeatures.set(SeeThrough, isSeeThrough(*surroundings.scene));
     m_passFeatures.set(Deep, pass.projector.isDeep());
-    const Projector &projector = pass.projector;
-    const PassBlock block{
-        .scale = {asFloat(projector.scaleX), asFloat(projector.scaleY)},
-        .jitter = {asFloat(projector.jitter.x), asFloat(projector.jitter.y)},
-        .halfSize = {asFloat(0.5 * projector.width), asFloat(0.5 * projector.height)},
-        .near = asFloat(projector.near),
-        .range = asFloat(projector.range),
-        .isPerspective = projector.projection == Projection::Perspective,
-        .isLit = appearance.isLit,
-        .number = pass.number,
-        .lightCount = static_cast<GLint>(surroundings.scene->lights.size()),
-    };
-    glNamedBufferSubData(m_pass, 0, sizeof(block), &block);
-    setLights(projector, surroundings);
-}
-
-void Surfaces::setLights(const Projector &projector, const Surroundings &surroundings)
-{
-    std::vector<LightBlock> lights;
-    for (const SceneDescription::Light &light : surroundings.scene->lights) {
-        glm::dvec3 place = projector.cameraFromHere * (surroundings.hereFromWorld(light.position) - projector.position);
-        place *= std::min(1.0, farthestLight / glm::length(place));
-        const glm::dvec3 &colour = light.colour;
-        lights.push_back({{asFloat(place.x), asFloat(place.y), asFloat(place.z), 1.0f},
-                          {asFloat(colour.x), asFloat(colour.y), asFloat(colour.z), 1.0f}});
-    }
-    lights.resize(std::max<std::size_t>(lights.size(), 1)); // a buffer of nothing cannot be bound
-    glNamedBufferData(m_lights, static_cast<GLsizeiptr>(lights.size() * sizeof(LightBlock)), lights.data(),
-                      GL_DYNAMIC_DRAW);
+    m_uniforms.set(pass.projector, surroundings, appearance.isLit, pass.number);
 }
 
 std::expected<void, std::string> Surfaces::draw(const GpuScene &onCard, const Model &model, GLuint first,
                                                 std::size_t count, bool hasTints)
 {
     const GpuMesh &mesh = onCard.mesh(model);
-    glBindBufferBase(GL_UNIFORM_BUFFER, passBinding, m_pass);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, lightsBinding, m_lights);
+    m_uniforms.bind();
     glBindVertexArray(mesh.array);
     hasTints ? glEnableVertexArrayAttrib(mesh.array, attribute::tint)
              : glDisableVertexArrayAttrib(mesh.array, attribute::tint);

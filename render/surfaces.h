@@ -12,6 +12,7 @@
 #include "cut.h"
 #include "glresources.h"
 #include "gpuscene.h"
+#include "passuniforms.h"
 
 namespace romanesco {
 
@@ -35,7 +36,6 @@ public:
                                                         std::size_t count, bool hasTints);
 
 private:
-    void setLights(const Projector &projector, const Surroundings &surroundings);
     static void setMaterial(const Material &material);
 
     /// What a program has code for: software computes all that is there for each pixel.
@@ -45,8 +45,7 @@ private:
     std::map<unsigned long, GlProgram> m_programs;
     /// Of all draws of the pass.
     Features m_passFeatures;
-    GlBuffer m_pass;
-    GlBuffer m_lights;
+    PassUniforms m_uniforms;
     Appearance m_appearance;
 };
 

@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 
@@ -22,17 +23,9 @@ layout(location = 4) flat in vec4 tint;
 layout(location = 5) noperspective in vec3 edgeDistance;
 #endif
 
-layout(std140, binding = 0) uniform Pass {
-    vec2 scale;
-    vec2 jitter;
-    vec2 halfSize;
-    float near;
-    float range;
-    bool isPerspective;
-    bool isLit;
-    uint number;
-    int lightCount;
-};
+#include "pass.glsl"
+#include "lighting.glsl"
+#include "srgb.glsl"
 
 // The material; colours are linear.
 layout(location = 0) uniform vec3 diffuse;
@@ -42,31 +35,12 @@ layout(location = 3) uniform vec3 emission;
 layout(location = 4) uniform float opacity;
 layout(binding = 0) uniform sampler2D diffuseTexture;
 
-struct Light {
-    // In the camera's axes, in units of the view.
-    vec4 place;
-    vec4 colour;
-};
-layout(std430, binding = 0) readonly buffer Lights {
-    Light lights[];
-};
-
 layout(location = 0) out vec4 result;
 #ifdef DEEP
 out float gl_FragDepth;
 #endif
 
-const vec3 sky = vec3(0.22, 0.26, 0.33);
-const vec3 ground = vec3(0.07, 0.055, 0.045);
-// The key light rides with the camera, above it and to the left, where the scene has no lights of its own.
-const vec3 sun = vec3(1.15, 1.08, 0.95);
-const vec3 toSun = normalize(vec3(-0.7, 0.75, -0.45));
 const vec3 wire = vec3(0.015, 0.018, 0.025);
-
-vec3 linearFromSrgb(vec3 c)
-{
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
-}
 
 // The same for the same place in the same pass (Jarzynski and Olano 2020, pcg3d).
 float noise(vec3 place)
@@ -79,13 +53,6 @@ float noise(vec3 place)
     v ^= v >> 16u;
     v.x += v.y * v.z;
     return float(v.x >> 8u) / 16777216.0;
-}
-
-vec3 shaded(vec3 own, vec3 normal, vec3 toViewer, vec3 toLight, vec3 light)
-{
-    float facing = max(dot(normal, toLight), 0.0);
-    float highlight = pow(max(dot(normal, normalize(toLight + toViewer)), 0.0), shininess);
-    return light * (own * facing + specular * highlight);
 }
 
 void main()
@@ -124,15 +91,7 @@ void main()
             normal = dot(normal, plane) < 0.0 ? -normal : normal;
         }
 #endif
-        light = own * mix(ground, sky, 0.5 + 0.5 * normal.y);
-#ifdef LAMPS
-        for (int i = 0; i < lightCount; ++i) {
-            vec3 toLight = normalize(lights[i].place.xyz - cameraPosition);
-            light += shaded(own, normal, toViewer, toLight, lights[i].colour.rgb);
-        }
-#else
-        light += shaded(own, normal, toViewer, toSun, sun);
-#endif
+        light = litFrom(Finish(own, specular, shininess), cameraPosition, normal, toViewer);
     }
     light += emission;
 #ifdef WIRES
@@ -140,9 +99,7 @@ void main()
     light = mix(light, wire, 0.85 * (1.0 - smoothstep(0.4, 1.2, edge)));
 #endif
 #ifdef DEEP
-    // Orthographic, over many sizes: in logarithms, as fine near the camera's plane as far from it.
-    float way = log2(1.0 + abs(cameraPosition.z)) / log2(1.0 + range);
-    gl_FragDepth = 0.5 - 0.5 * sign(cameraPosition.z) * way;
+    gl_FragDepth = deepDepth(cameraPosition.z);
 #endif
     result = vec4(light, 1.0);
 }

@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 
@@ -20,17 +21,7 @@ layout(location = 3) in vec3 cornerColour[];
 layout(location = 4) flat in vec4 cornerTint[];
 #endif
 
-layout(std140, binding = 0) uniform Pass {
-    vec2 scale;
-    vec2 jitter;
-    vec2 halfSize;
-    float near;
-    float range;
-    bool isPerspective;
-    bool isLit;
-    uint number;
-    int lightCount;
-};
+#include "pass.glsl"
 
 layout(location = 0) out vec3 cameraPosition;
 #ifdef SMOOTH

@@ -1,4 +1,5 @@
 #version 450 core
+#extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
 
@@ -17,19 +18,7 @@ layout(location = 5) in vec3 meshNormal;
 layout(location = 6) in vec2 meshTexture;
 layout(location = 7) in vec3 meshColour;
 
-// clip = (scale.xy * camera.xy + jitter * w, depth), where depth is reversed: 1 near, 0 far.
-layout(std140, binding = 0) uniform Pass {
-    vec2 scale;
-    vec2 jitter;
-    vec2 halfSize;
-    // Perspective: w = camera.z and depth = near / w. Orthographic: w = 1 and depth falls linearly over the range.
-    float near;
-    float range;
-    bool isPerspective;
-    bool isLit;
-    uint number;
-    int lightCount;
-};
+#include "pass.glsl"
 
 layout(location = 0) out vec3 cameraPosition;
 #ifdef SMOOTH
@@ -63,7 +52,5 @@ void main()
 #ifdef TINTED
     tint = copyTint;
 #endif
-    float w = isPerspective ? cameraPosition.z : 1.0;
-    float depth = isPerspective ? near : 0.5 - 0.5 * cameraPosition.z / range;
-    gl_Position = vec4(scale * cameraPosition.xy + jitter * w, depth, w);
+    gl_Position = clipFromCamera(cameraPosition);
 }
