@@ -31,6 +31,22 @@ std::string textOf(const Ball &ball)
     return std::format("drop {} {} {} {}", textOf(ball.position), textOf(ball.velocity), ball.radius, ball.restitution);
 }
 
+std::string textOf(const Recording::Removal &removal)
+{
+    return std::format("remove {}", removal.ball);
+}
+
+std::string_view mannerOf(const World::Options &world)
+{
+    return world.isAsInDissertation ? "dissertation" : "exact";
+}
+
+std::string textOf(const World::Options &world)
+{
+    return std::format("rules {} {} {} {}", world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate,
+                       mannerOf(world));
+}
+
 std::vector<std::string_view> wordsOf(std::string_view line)
 {
     std::vector<std::string_view> words;
@@ -99,6 +115,40 @@ std::optional<SceneCollider::Options> colliderOf(std::span<const std::string_vie
     return isCollider ? std::optional(SceneCollider::Options{*kind, *excess}) : std::nullopt;
 }
 
+std::optional<bool> isDissertation(std::string_view manner)
+{
+    const bool is = manner == "dissertation";
+    return is || manner == "exact" ? std::optional(is) : std::nullopt;
+}
+
+/// The words after "rules".
+std::optional<World::Options> rulesOf(std::span<const std::string_view> words)
+{
+    if (words.size() != 6) {
+        return std::nullopt;
+    }
+    const auto timeStep = numberOf(words[0]);
+    const auto gravity = vectorOf(words.subspan(1));
+    const auto shrinkRate = numberOf(words[4]);
+    const auto manner = isDissertation(words[5]);
+    if (!timeStep || *timeStep <= 0.0 || !gravity || !shrinkRate || *shrinkRate < 0.0 || !manner) {
+        return std::nullopt;
+    }
+    World::Options world;
+    world.laws.timeStep = *timeStep;
+    world.laws.gravity = *gravity;
+    world.shrinkRate = *shrinkRate;
+    world.isAsInDissertation = *manner;
+    return world;
+}
+
+/// The words after "remove".
+std::optional<Recording::Removal> removalOf(std::span<const std::string_view> words)
+{
+    const auto ball = words.size() == 1 ? wholeFromText(words[0]) : std::nullopt;
+    return ball ? std::optional(Recording::Removal{*ball}) : std::nullopt;
+}
+
 /// Takes line after line.
 class Reader
 {
@@ -140,8 +190,9 @@ private:
             return hash.has_value();
         }
         if (what == "manner") {
-            recording.world.isAsInDissertation = word == "dissertation";
-            return recording.world.isAsInDissertation || word == "exact";
+            const auto manner = isDissertation(word);
+            recording.world.isAsInDissertation = manner.value_or(false);
+            return manner.has_value();
         }
         const auto number = numberOf(word);
         if (what == "time-step") {
@@ -158,14 +209,15 @@ private:
         if (!step || (!recording.inputs.empty() && *step < recording.inputs.back().step)) {
             return false;
         }
-        if (words[1] == "drop") {
-            const auto ball = ballOf(words.subspan(2));
-            recording.inputs.push_back({*step, ball.value_or(Ball{})});
-            return ball.has_value();
-        }
-        const auto collider = words[1] == "collider" ? colliderOf(words.subspan(2)) : std::nullopt;
-        recording.inputs.push_back({*step, collider.value_or(SceneCollider::Options{})});
-        return collider.has_value();
+        const auto rest = words.subspan(2);
+        const auto add = [&](const auto &what) {
+            if (what) {
+                recording.inputs.push_back({*step, *what});
+            }
+            return what.has_value();
+        };
+        return (words[1] == "drop" && add(ballOf(rest))) || (words[1] == "collider" && add(colliderOf(rest)))
+            || (words[1] == "remove" && add(removalOf(rest))) || (words[1] == "rules" && add(rulesOf(rest)));
     }
 
     bool takeEnd(std::span<const std::string_view> words)
@@ -187,9 +239,8 @@ std::string textOf(const Recording &recording)
 {
     const World::Options &world = recording.world;
     std::string text = std::format("{}\ntime-step {}\ngravity {}\nshrink {}\nmanner {}\n{}\nstart {:016x}\n", heading,
-                                   world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate,
-                                   world.isAsInDissertation ? "dissertation" : "exact", textOf(recording.collider),
-                                   recording.startHash);
+                                   world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate, mannerOf(world),
+                                   textOf(recording.collider), recording.startHash);
     for (const Recording::Input &input : recording.inputs) {
         text += std::visit([&](const auto &what) { return std::format("at {} {}\n", input.step, textOf(what)); },
                            input.what);

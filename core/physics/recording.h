@@ -22,10 +22,15 @@ struct Recording {
     /// World::stateHash() before the first step, which tells whether the scene is the same.
     std::uint64_t startHash = 0;
 
-    /// Before the step of that number, counted from 0: a ball comes in, or the surface is searched another way.
+    /// Of the balls that there are then.
+    struct Removal {
+        std::size_t ball = 0;
+    };
+    /// Before the step of that number, counted from 0: a ball comes in, the surface is searched another way, a ball goes, or
+    /// there are other rules (see World::setRules()).
     struct Input {
         std::uint64_t step = 0;
-        std::variant<Ball, SceneCollider::Options> what;
+        std::variant<Ball, SceneCollider::Options, Removal, World::Options> what;
     };
     /// In order.
     std::vector<Input> inputs = {};

@@ -23,14 +23,21 @@ public:
                                                                       const SceneCollider::Options &collider,
                                                                       const std::stop_token &stop = {});
 
-    /// Drops a ball, or searches the surface another way, before the next step. Its own number of the step does not count.
-    /// After an error nothing has changed.
+    /// Before the next step; its own number of the step does not count. After an error nothing has changed: what a collider
+    /// cannot do, cancelled, no such ball.
     [[nodiscard]] std::expected<void, std::string> apply(const Recording::Input &input,
                                                          const std::stop_token &stop = {});
     void step() { m_world->step(); }
 
+    /// The surface of another scene; all balls stay as they are. There is no recording of that. The error is as of start(), and
+    /// changes nothing.
+    [[nodiscard]] std::expected<void, std::string> setScene(std::shared_ptr<const Scene> scene,
+                                                            const std::stop_token &stop = {});
+
     [[nodiscard]] const World &world() const { return *m_world; }
-    /// Up to here.
+    /// Whether all that was done is in the recording.
+    [[nodiscard]] bool isRecorded() const { return m_isRecorded; }
+    /// Up to here, of the scene that it started with.
     [[nodiscard]] Recording recording() const;
 
 private:
@@ -38,7 +45,9 @@ private:
 
     std::shared_ptr<const Scene> m_scene;
     std::unique_ptr<World> m_world;
+    SceneCollider::Options m_collider;
     Recording m_recording;
+    bool m_isRecorded = true;
 };
 
 }

@@ -39,6 +39,16 @@ void World::add(const Ball &ball)
     m_reports.emplace_back();
 }
 
+void World::remove(std::size_t ball)
+{
+    const auto at = static_cast<std::ptrdiff_t>(ball);
+    m_balls.erase(m_balls.begin() + at);
+    m_radiiAtStart.erase(m_radiiAtStart.begin() + at);
+    m_addedAt.erase(m_addedAt.begin() + at);
+    m_reports.erase(m_reports.begin() + at);
+    wake();
+}
+
 void World::setSurface(Surface surface)
 {
     m_surface = std::make_shared<const Surface>(std::move(surface));
@@ -46,6 +56,24 @@ void World::setSurface(Surface surface)
     for (unsigned i = 0; i < m_team.size(); ++i) {
         m_probes.push_back(std::make_unique<Probe>(*m_surface));
     }
+    wake();
+}
+
+void World::setRules(const Options &options)
+{
+    assert(options.laws.timeStep > 0.0 && options.shrinkRate >= 0.0);
+    m_options.laws = options.laws;
+    m_options.shrinkRate = options.shrinkRate;
+    m_options.isAsInDissertation = options.isAsInDissertation;
+    for (std::size_t i = 0; i < m_balls.size(); ++i) {
+        m_radiiAtStart[i] = m_balls[i].radius;
+        m_addedAt[i] = m_stepCount;
+    }
+    wake();
+}
+
+void World::wake()
+{
     for (BallState &ball : m_balls) {
         ball.clearance = 0.0;
         ball.supports.clear();

@@ -35,8 +35,15 @@ public:
     /// From the next step on. Its radius is above 0, its restitution from 0 to 1.
     void add(const Ball &ball);
 
+    /// Of the balls that follow, each has a number less by one.
+    void remove(std::size_t ball);
+
     /// Another surface, or another way to search it; balls stay where they are, and wake.
     void setSurface(Surface surface);
+
+    /// Other laws, another rate of shrinking or manner from the next step on; the rest stays. Balls wake. They shrink from what
+    /// they are now, to a billionth of that at most.
+    void setRules(const Options &options);
 
     void step();
 
@@ -53,6 +60,7 @@ public:
     [[nodiscard]] std::uint64_t stateHash() const;
 
 private:
+    void wake();
     void shrink();
     void stepAlone(std::size_t ball, Probe &probe);
     void stepTogether();
