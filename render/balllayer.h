@@ -8,20 +8,10 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
+#include "ballsprite.h"
 #include "passuniforms.h"
 
 namespace romanesco {
-
-/// A ball as it is seen.
-struct BallSprite {
-    /// In the world.
-    glm::dvec3 centre{0.0};
-    double radius = 1.0;
-    /// sRGB, 0 to 1.
-    std::array<float, 3> colour{1.0f, 1.0f, 1.0f};
-};
 
 /// Draws balls over a picture that is finished, hidden by what is before them there, so that balls move without the rest being
 /// drawn anew. Their outlines are smooth; of balls that do not overlap, each hides what is behind it.

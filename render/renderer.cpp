@@ -13,6 +13,7 @@
 
 #include <epoxy/gl.h>
 
+#include "balllayer.h"
 #include "copyring.h"
 #include "depthlooks.h"
 #include "glresources.h"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "appearance.h"
-#include "balllayer.h"
+#include "ballsprite.h"
 #include "camera.h"
 #include "core/scene/anchor.h"
 

@@ -27,6 +27,9 @@
 #include "messagestrip.h"
 #include "outlinepane.h"
 #include "parameterspane.h"
+#include "physicschoices.h"
+#include "physicscontroller.h"
+#include "physicspane.h"
 #include "preferencesdialog.h"
 #include "problemsview.h"
 #include "recoverydialog.h"
@@ -66,6 +69,8 @@ MainWindow::MainWindow(QWidget *parent)
     , m_actions(*this, m_viewport)
     , m_textActions(*this)
     , m_viewTools(new ViewTools(m_actions, *m_pane, this))
+    , m_physicsActions(*this, m_viewport)
+    , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), this))
     , m_pictureActions(
           *this, [this] { return m_viewport.grabFramebuffer(); },
           [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
@@ -117,6 +122,7 @@ void MainWindow::createMenus()
     menus.edit->addSeparator();
     menus.edit->addAction(m_actions.preferences);
     m_textActions.fillGo(*menus.go);
+    m_physicsActions.fill(*menus.physics);
     m_textActions.fillView(*menus.view);
     for (const BroughtText &text : broughtTexts(TextTabs::templatesFolder)) {
         QAction *action = menus.templates->addAction(text.description.section(u':', 0, 0));
@@ -175,6 +181,10 @@ void MainWindow::connectPanels()
     connect(&m_panels.problems(), &ProblemsView::chosenElsewhere, this, &MainWindow::goToFile);
     connect(m_addressLink, &AddressLink::told, m_status,
             [this](const QString &words) { m_status->showMessage(words); });
+
+    m_panels.physics().choices().addActions(m_physicsActions, *m_actions.dropBalls);
+    connect(m_physics, &PhysicsController::told, m_status,
+            [this](const QString &words) { m_status->showMessage(words, 5000); });
 
     connect(m_depthControl, &DepthControl::depthEdited, this, [this](quint64 depth) { tab().depth().setValue(depth); });
     connect(m_depthControl, &DepthControl::dragBegan, this, [this] { tab().depth().beginGesture(); });
@@ -456,6 +466,7 @@ void MainWindow::showText()
 void MainWindow::showScene()
 {
     m_viewport.startScene(seen().shown(), seen().view);
+    m_physics->startScene(seen().shown());
     m_status->setSummary(seen().summary());
     m_status->clearDrawn();
     m_addressLink->clear();
@@ -467,6 +478,7 @@ void MainWindow::showPreview()
 {
     showEndless();
     m_viewport.setScene(seen().shown());
+    m_physics->setScene(seen().shown());
     m_addressLink->update();
     showTrouble();
 }

@@ -11,6 +11,7 @@
 #include "core/text/textposition.h"
 #include "editor/textsnapshot.h"
 #include "panels.h"
+#include "physicsactions.h"
 #include "picture.h"
 #include "recovery.h"
 #include "resourcefiles.h"
@@ -23,6 +24,7 @@ namespace romanesco {
 
 class AddressLink;
 class DepthControl;
+class PhysicsController;
 class StatusLine;
 class TextTab;
 class TextTabs;
@@ -110,6 +112,8 @@ private:
     WindowActions m_actions;
     TextActions m_textActions;
     ViewTools *m_viewTools;
+    PhysicsActions m_physicsActions;
+    PhysicsController *m_physics;
     PictureActions m_pictureActions;
     ResourceFiles m_files;
 

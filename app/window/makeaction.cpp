@@ -22,4 +22,12 @@ QAction *makeAction(QWidget &owner, const QString &text, const QKeySequence &key
     return action;
 }
 
+QAction *makeViewAction(QWidget &viewport, const QString &text, const QKeySequence &key)
+{
+    QAction *action = makeAction(viewport, text, key);
+    action->setShortcutContext(Qt::WidgetShortcut);
+    viewport.addAction(action);
+    return action;
+}
+
 }

@@ -13,4 +13,7 @@ namespace romanesco {
 /// An action of a window, whose tool tip tells its key. text is as in a menu.
 [[nodiscard]] QAction *makeAction(QWidget &owner, const QString &text, const QKeySequence &key = {});
 
+/// One whose key means a letter or a figure everywhere but in the viewport.
+[[nodiscard]] QAction *makeViewAction(QWidget &viewport, const QString &text, const QKeySequence &key);
+
 }

@@ -12,6 +12,7 @@
 #include "addresspane.h"
 #include "outlinepane.h"
 #include "parameterspane.h"
+#include "physicspane.h"
 #include "previewcontroller.h"
 #include "problemsview.h"
 
@@ -21,11 +22,13 @@ Panels::Panels(QMainWindow &window)
     : m_window(window)
     , m_problems(new ProblemsView)
     , m_parameters(new ParametersPane)
+    , m_physics(new PhysicsPane)
     , m_address(new AddressPane)
     , m_outline(new OutlinePane)
     , m_problemsDock(add(m_problems, tr("Problems"), QStringLiteral("problems")))
 {
     add(m_parameters, tr("Parameters"), QStringLiteral("parameters"));
+    add(m_physics, tr("Physics"), QStringLiteral("physics"));
     add(m_address, tr("Address"), QStringLiteral("address"));
     add(m_outline, tr("Outline"), QStringLiteral("outline"));
     layOut();
@@ -65,7 +68,7 @@ void Panels::layOut()
         }
     }
     m_problemsDock->raise();
-    m_window.resizeDocks({m_problemsDock}, {120}, Qt::Vertical);
+    m_window.resizeDocks({m_problemsDock}, {170}, Qt::Vertical);
 }
 
 void Panels::goToNext(QList<QWidget *> parts, int step) const

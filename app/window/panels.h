@@ -15,6 +15,7 @@ namespace romanesco {
 class AddressPane;
 class OutlinePane;
 class ParametersPane;
+class PhysicsPane;
 class ProblemsView;
 struct Preview;
 
@@ -27,6 +28,7 @@ public:
 
     [[nodiscard]] ProblemsView &problems() const { return *m_problems; }
     [[nodiscard]] ParametersPane &parameters() const { return *m_parameters; }
+    [[nodiscard]] PhysicsPane &physics() const { return *m_physics; }
     [[nodiscard]] AddressPane &address() const { return *m_address; }
     [[nodiscard]] OutlinePane &outline() const { return *m_outline; }
 
@@ -45,6 +47,7 @@ private:
     QMainWindow &m_window;
     ProblemsView *m_problems;
     ParametersPane *m_parameters;
+    PhysicsPane *m_physics;
     AddressPane *m_address;
     OutlinePane *m_outline;
     /// In the order in which they are listed.

@@ -243,7 +243,14 @@ void Viewport::paintGL()
 {
     if (m_renderer) {
         const qreal ratio = devicePixelRatioF();
-        m_renderer->present(defaultFramebufferObject(), qRound(width() * ratio), qRound(height() * ratio));
+        const int wide = qRound(width() * ratio);
+        const int high = qRound(height() * ratio);
+        m_renderer->present(defaultFramebufferObject(), wide, high);
+        if (m_balls) {
+            if (const auto drawn = m_renderer->presentBalls(defaultFramebufferObject(), wide, high, *m_balls); !drawn) {
+                Q_EMIT pictureFailed(QString::fromStdString(drawn.error()));
+            }
+        }
     }
 }
 
@@ -326,6 +333,7 @@ void Viewport::begin(const Request &wanted)
     view.height = wanted.height;
     view.pixelTolerance = wanted.isCoarse ? std::max(m_dragTolerance.pixels(), m_tolerance) : m_tolerance;
     view.samples = wanted.samples;
+    view.leavesOutBalls = wanted.leavesOutBalls;
     m_renderer->begin(view);
     m_sinceBegun.start();
     m_begun = wanted;
@@ -385,7 +393,8 @@ Viewport::Request Viewport::request() const
             std::max(1, qRound(height() * ratio)),
             isCoarse,
             isCoarse ? 1 : samples,
-            m_tolerance};
+            m_tolerance,
+            m_balls.has_value()};
 }
 
 bool Viewport::isMoving() const
@@ -437,6 +446,16 @@ std::optional<QPointF> Viewport::placeOf(const glm::dvec3 &point) const
 {
     const std::optional<glm::dvec2> seen = seenAt(camera(), point);
     return seen ? std::optional(m_gestures.place(*seen)) : std::nullopt;
+}
+
+void Viewport::setBalls(std::optional<std::vector<BallSprite>> balls)
+{
+    const bool isOfAnotherKind = balls.has_value() != m_balls.has_value();
+    m_balls = std::move(balls);
+    update();
+    if (isOfAnotherKind) {
+        m_drawing.start();
+    }
 }
 
 void Viewport::setTool(PointerTool *tool)

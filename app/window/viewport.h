@@ -62,6 +62,9 @@ public:
     /// view than in its middle.
     [[nodiscard]] double shiftOfTolerance() const;
 
+    /// Balls over the picture, in place of the scene's own; nothing for these.
+    void setBalls(std::optional<std::vector<BallSprite>> balls);
+
     /// What has the left button and draws over the picture from now on; null for nothing but the view. It must live until
     /// another takes its place.
     void setTool(PointerTool *tool);
@@ -144,6 +147,7 @@ private:
         int samples;
         /// At rest.
         double pixelTolerance;
+        bool leavesOutBalls;
         bool operator==(const Request &) const = default;
     };
 
@@ -176,6 +180,7 @@ private:
 
     SceneView m_view;
     Appearance m_appearance;
+    std::optional<std::vector<BallSprite>> m_balls;
     quint64 m_cameraRevision = 0;
     /// Runs while the camera counts as moving.
     QTimer m_rest;

@@ -17,6 +17,7 @@ ViewTools::ViewTools(const WindowActions &actions, ViewportPane &pane, QObject *
     , m_pane(pane)
     , m_measuring(pane.viewport())
     , m_gizmo(pane.viewport())
+    , m_dropper(pane.viewport())
 {
     connect(m_actions.tools, &QActionGroup::triggered, this, &ViewTools::choose);
     connect(&m_pane.viewport(), &Viewport::toolDismissed, this, [this] {
@@ -37,6 +38,9 @@ void ViewTools::choose()
     if (on == m_actions.measure) {
         viewport.setTool(&m_measuring);
         Q_EMIT told(tr("Click a point of the surface, and another for the distance"));
+    } else if (on == m_actions.dropBalls) {
+        viewport.setTool(&m_dropper);
+        Q_EMIT told(tr("Click where a ball is to fall"));
     } else {
         m_gizmo.setKind(on == m_actions.move         ? GizmoKind::Move
                             : on == m_actions.rotate ? GizmoKind::Rotate

@@ -4,6 +4,7 @@
 
 #include <QObject>
 
+#include "balldropper.h"
 #include "gizmotool.h"
 #include "measuringtool.h"
 #include "windowactions.h"
@@ -22,6 +23,7 @@ public:
     ViewTools(const WindowActions &actions, ViewportPane &pane, QObject *parent = nullptr);
 
     [[nodiscard]] MeasuringTool &measuring() { return m_measuring; }
+    [[nodiscard]] BallDropper &dropper() { return m_dropper; }
 
     /// From now on the picture is of that text, which is edited only while it is looked at too.
     void follow(TextTab &seen, bool isLookedAt) { m_gizmo.follow(seen, isLookedAt); }
@@ -41,6 +43,7 @@ private:
     ViewportPane &m_pane;
     MeasuringTool m_measuring;
     GizmoTool m_gizmo;
+    BallDropper m_dropper;
 };
 
 }

@@ -12,19 +12,6 @@
 
 namespace romanesco {
 
-namespace {
-
-/// A key that means a letter or a figure everywhere but in the viewport.
-QAction *makeFor(QWidget &viewport, const QString &text, const QKeySequence &key)
-{
-    QAction *action = makeAction(viewport, text, key);
-    action->setShortcutContext(Qt::WidgetShortcut);
-    viewport.addAction(action);
-    return action;
-}
-
-}
-
 WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     : newFile(makeAction(window, tr("&New"), QKeySequence::New))
     , open(makeAction(window, tr("&Open…"), QKeySequence::Open))
@@ -39,13 +26,13 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , previousTab(makeAction(window, tr("&Previous Text"), Qt::CTRL | Qt::SHIFT | Qt::Key_Tab))
     , quit(makeAction(window, tr("&Quit"), Qt::CTRL | Qt::Key_Q))
     , preferences(makeAction(window, tr("Pre&ferences…"), Qt::CTRL | Qt::Key_Comma))
-    , fit(makeFor(viewport, tr("&Fit"), Qt::Key_F))
-    , resetView(makeFor(viewport, tr("&Reset View"), Qt::Key_Home))
-    , front(makeFor(viewport, tr("Fr&ont"), Qt::Key_1))
-    , right(makeFor(viewport, tr("&Side"), Qt::Key_3))
-    , top(makeFor(viewport, tr("&Top"), Qt::Key_7))
-    , orthographic(makeFor(viewport, tr("Ort&hographic"), Qt::Key_5))
-    , endless(makeFor(viewport, tr("&Endless"), Qt::Key_E))
+    , fit(makeViewAction(viewport, tr("&Fit"), Qt::Key_F))
+    , resetView(makeViewAction(viewport, tr("&Reset View"), Qt::Key_Home))
+    , front(makeViewAction(viewport, tr("Fr&ont"), Qt::Key_1))
+    , right(makeViewAction(viewport, tr("&Side"), Qt::Key_3))
+    , top(makeViewAction(viewport, tr("&Top"), Qt::Key_7))
+    , orthographic(makeViewAction(viewport, tr("Ort&hographic"), Qt::Key_5))
+    , endless(makeViewAction(viewport, tr("&Endless"), Qt::Key_E))
     , pin(makeAction(window, tr("&Pin Picture"), Qt::CTRL | Qt::SHIFT | Qt::Key_I))
     , saveView(makeAction(window, tr("Sa&ve View in Text")))
     , rebuild(makeAction(window, tr("Re&build"), Qt::Key_F5))
@@ -56,13 +43,14 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     , textures(makeAction(window, tr("&Textures")))
     , smooth(makeAction(window, tr("&Smooth Shading")))
     , axes(makeAction(window, tr("A&xes")))
-    , zoomToCopy(makeFor(viewport, tr("&Zoom Into This Copy"), Qt::Key_Z))
-    , collapse(makeFor(viewport, tr("Collapse to Here"), Qt::Key_C))
+    , zoomToCopy(makeViewAction(viewport, tr("&Zoom Into This Copy"), Qt::Key_Z))
+    , collapse(makeViewAction(viewport, tr("Collapse to Here"), Qt::Key_C))
     , tools(new QActionGroup(&window))
-    , measure(makeFor(viewport, tr("&Measure"), Qt::Key_M))
-    , move(makeFor(viewport, tr("Mo&ve"), Qt::Key_G))
-    , rotate(makeFor(viewport, tr("Rotat&e"), Qt::Key_R))
-    , scale(makeFor(viewport, tr("Scale"), Qt::Key_T))
+    , measure(makeViewAction(viewport, tr("&Measure"), Qt::Key_M))
+    , move(makeViewAction(viewport, tr("Mo&ve"), Qt::Key_G))
+    , rotate(makeViewAction(viewport, tr("Rotat&e"), Qt::Key_R))
+    , scale(makeViewAction(viewport, tr("Scale"), Qt::Key_T))
+    , dropBalls(makeViewAction(viewport, tr("Drop &Balls"), Qt::Key_B))
     , copyMeasurement(makeAction(window, tr("Copy Meas&urement"), Qt::CTRL | Qt::ALT | Qt::Key_C))
     , nextPart(makeAction(window, tr("Next &Part"), Qt::Key_F7))
     , previousPart(makeAction(window, tr("Previous P&art"), Qt::SHIFT | Qt::Key_F7))
@@ -97,7 +85,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     collapse->setToolTip(
         tr("Changes the depth in the text, so that the copy that stands out is of the last level (C)"));
     tools->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
-    for (QAction *tool : {measure, move, rotate, scale}) {
+    for (QAction *tool : {measure, move, rotate, scale, dropBalls}) {
         tool->setCheckable(true);
         tools->addAction(tool);
     }
@@ -105,6 +93,7 @@ WindowActions::WindowActions(QWidget &window, QWidget &viewport)
     move->setStatusTip(tr("Handles at what was clicked change its position in the text; with Shift finer"));
     rotate->setStatusTip(tr("Rings round what was clicked change its angles in the text; with Shift finer"));
     scale->setStatusTip(tr("Handles at what was clicked change its scale in the text; with Shift finer"));
+    dropBalls->setStatusTip(tr("Each click lets a ball fall on what is clicked"));
     axes->setCheckable(true);
     axes->setStatusTip(tr("The world's axes in the corner; a click on one looks along it"));
     orthographic->setCheckable(true);
@@ -149,6 +138,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     view->addAction(copyMeasurement);
     view->addSeparator();
 
+    QMenu *physics = bar.addMenu(tr("&Physics"));
     QMenu *go = bar.addMenu(tr("&Go"));
 
     QMenu *window = bar.addMenu(tr("&Window"));
@@ -158,7 +148,7 @@ WindowActions::OpenMenus WindowActions::fill(QMenuBar &bar) const
     window->addSeparator();
 
     bar.addMenu(tr("&Help"))->addActions({keys, about});
-    return {file, end, templates, recent, edit, go, view, window};
+    return {file, end, templates, recent, edit, go, view, physics, window};
 }
 
 void WindowActions::fill(QToolBar &bar, const TextActions &textActions) const

@@ -19,7 +19,7 @@ class TextActions;
 struct WindowActions {
     Q_DECLARE_TR_FUNCTIONS(WindowActions)
 public:
-    /// viewport is the widget whose keys (F, Home, E, 1, 3, 7, 5, Z, C, M, G, R, T) work only while it has the focus.
+    /// viewport is the widget whose keys (F, Home, E, 1, 3, 7, 5, Z, C, M, G, R, T, B) work only while it has the focus.
     WindowActions(QWidget &window, QWidget &viewport);
 
     /// Returns the menus that the window adds to.
@@ -32,6 +32,7 @@ public:
         QMenu *edit;
         QMenu *go;
         QMenu *view;
+        QMenu *physics;
         QMenu *window;
     };
     OpenMenus fill(QMenuBar &bar) const;
@@ -80,6 +81,7 @@ public:
     QAction *move;
     QAction *rotate;
     QAction *scale;
+    QAction *dropBalls;
     QAction *copyMeasurement;
 
     QAction *nextPart;

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "physicsactions.h"
+
+#include <QAction>
+#include <QMenu>
+
+#include "makeaction.h"
+
+namespace romanesco {
+
+PhysicsActions::PhysicsActions(QWidget &window, QWidget &viewport)
+    : play(makeViewAction(viewport, tr("&Play"), Qt::Key_Space))
+    , step(makeViewAction(viewport, tr("&Step"), Qt::Key_Period))
+    , reset(makeViewAction(viewport, tr("&Reset"), Qt::Key_Backspace))
+    , rain(makeAction(window, tr("R&ain")))
+    , removeBall(makeAction(window, tr("Re&move Ball")))
+    , keepBalls(makeAction(window, tr("&Keep Balls in Text")))
+    , record(makeAction(window, tr("Save Re&cording…")))
+    , replay(makeAction(window, tr("Replay Recor&ding…")))
+{
+    play->setCheckable(true);
+    play->setStatusTip(tr("Lets the balls fall, or holds them where they are"));
+    step->setStatusTip(tr("One step of the simulation"));
+    reset->setStatusTip(tr("All balls as the text has them"));
+    rain->setStatusTip(tr("Drops many balls over all of the scene"));
+    removeBall->setStatusTip(tr("Takes the balls away that are selected in the list"));
+    keepBalls->setStatusTip(tr("Writes the balls into the scene where they are now, a line each"));
+    record->setStatusTip(tr("Saves all that is needed to let the same happen again"));
+    replay->setStatusTip(tr("Lets what was recorded happen again, and tells whether it came to the same"));
+}
+
+void PhysicsActions::fill(QMenu &menu) const
+{
+    menu.addActions({play, step, reset});
+    menu.addSeparator();
+    menu.addActions({rain, removeBall, keepBalls});
+    menu.addSeparator();
+    menu.addActions({record, replay});
+}
+
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include <QWidget>
+
+#include "core/physics/world.h"
+#include "core/scene/scenecollider.h"
+#include "physicsactions.h"
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QSlider;
+class QSpinBox;
+
+namespace romanesco {
+
+/// What is dropped and how fast time goes, what balls obey, how their surface is searched and what that promises.
+class PhysicsChoices : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PhysicsChoices(QWidget *parent = nullptr);
+
+    /// The buttons; once. drop is the tool that drops balls.
+    void addActions(const PhysicsActions &actions, QAction &drop);
+
+    [[nodiscard]] World::Options rules() const;
+    [[nodiscard]] SceneCollider::Options collider() const;
+    /// Simulated seconds for each that goes by.
+    [[nodiscard]] double speed() const;
+    /// What is dropped in a scene of that size, at the origin.
+    [[nodiscard]] Ball ball(double sceneSize) const;
+    [[nodiscard]] int rainCount() const;
+
+Q_SIGNALS:
+    void rulesChanged();
+    void colliderChanged();
+    void speedChanged();
+
+private:
+    QWidget *makeMotion();
+    QWidget *makeRules();
+    QWidget *makeCollider();
+    void addBounce(QFormLayout &form);
+    void addGravity(QFormLayout &form);
+    void showSpeed();
+    void showPromise();
+
+    QWidget *m_motion;
+    QWidget *m_drops;
+    QSlider *m_speed;
+    QLabel *m_speedWords;
+    QDoubleSpinBox *m_radius;
+    QComboBox *m_material;
+    QDoubleSpinBox *m_restitution;
+    QSpinBox *m_rainCount;
+    std::vector<QDoubleSpinBox *> m_gravity;
+    QDoubleSpinBox *m_shrink;
+    QCheckBox *m_asInDissertation;
+    QComboBox *m_collider;
+    QDoubleSpinBox *m_tolerance;
+    QLabel *m_promise;
+};
+
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "physicscontroller.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QAction>
+
+#include <glm/common.hpp>
+
+#include "balldropper.h"
+#include "core/physics/rain.h"
+#include "physicschoices.h"
+#include "physicsfigures.h"
+#include "physicspane.h"
+#include "viewport.h"
+
+namespace romanesco {
+
+namespace {
+
+constexpr int millisecondsAPicture = 16;
+
+using Colour = std::array<float, 3>;
+/// One after another, told apart by people who see fewer colours too (Okabe and Ito 2008).
+constexpr std::array<Colour, 6> colours{{
+    {0.90f, 0.62f, 0.00f},
+    {0.34f, 0.71f, 0.91f},
+    {0.00f, 0.62f, 0.45f},
+    {0.94f, 0.89f, 0.26f},
+    {0.84f, 0.37f, 0.00f},
+    {0.80f, 0.47f, 0.65f},
+}};
+constexpr Colour selectedColour{1.0f, 1.0f, 1.0f};
+
+}
+
+PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane &pane, Viewport &viewport,
+                                     BallDropper &dropper, QObject *parent)
+    : QObject(parent)
+    , m_actions(actions)
+    , m_pane(pane)
+    , m_choices(pane.choices())
+    , m_viewport(viewport)
+    , m_dropper(dropper)
+    , m_frame(std::make_shared<const LiveSimulation::Frame>())
+    , m_simulation([this] {
+        if (!m_isFrameAnnounced.exchange(true)) {
+            QMetaObject::invokeMethod(this, &PhysicsController::takeFrame, Qt::QueuedConnection);
+        }
+    })
+{
+    m_drawing.setInterval(millisecondsAPicture);
+    m_drawing.setTimerType(Qt::PreciseTimer);
+    connect(&m_drawing, &QTimer::timeout, this, &PhysicsController::showBalls);
+    m_dropper.setDrop(
+        [this] { return BallDropper::Drop{m_choices.ball(sceneSize()), m_choices.rules().laws.gravity}; });
+    connect(&m_dropper, &BallDropper::dropped, this, [this](const Ball &ball) {
+        m_simulation.drop({ball});
+        // Who holds balls where they are may place others among them.
+        if (!m_frame->isStarted) {
+            m_simulation.play();
+        }
+    });
+    connect(&m_dropper, &BallDropper::told, this, &PhysicsController::told);
+    connect(&m_choices, &PhysicsChoices::rulesChanged, this, [this] { m_simulation.setRules(m_choices.rules()); });
+    connect(&m_choices, &PhysicsChoices::colliderChanged, this,
+            [this] { m_simulation.setCollider(m_choices.collider()); });
+    connect(&m_choices, &PhysicsChoices::speedChanged, this, [this] { m_simulation.setSpeed(m_choices.speed()); });
+    connect(&m_pane.figures(), &PhysicsFigures::selectionChanged, this, [this] {
+        m_selected = m_pane.figures().selectedBalls();
+        m_actions.removeBall->setEnabled(!m_selected.empty());
+        showBalls();
+    });
+    connectActions();
+    m_pane.figures().show(m_frame);
+}
+
+PhysicsController::~PhysicsController() = default;
+
+void PhysicsController::connectActions()
+{
+    connect(m_actions.play, &QAction::triggered, this,
+            [this](bool isWanted) { isWanted ? m_simulation.play() : m_simulation.pause(); });
+    connect(m_actions.step, &QAction::triggered, this, [this] { m_simulation.step(); });
+    connect(m_actions.reset, &QAction::triggered, this, [this] { m_simulation.reset(); });
+    connect(m_actions.rain, &QAction::triggered, this, &PhysicsController::rain);
+    connect(m_actions.removeBall, &QAction::triggered, this, &PhysicsController::removeSelected);
+    m_actions.removeBall->setEnabled(false);
+    m_pane.figures().addActions({m_actions.removeBall});
+}
+
+void PhysicsController::startScene(const std::shared_ptr<const Scene> &scene)
+{
+    m_scene = scene;
+    m_simulation.startScene(scene);
+}
+
+void PhysicsController::setScene(const std::shared_ptr<const Scene> &scene)
+{
+    if (scene != m_scene) {
+        m_scene = scene;
+        m_simulation.setScene(scene);
+    }
+}
+
+/// The longest side of the box round it.
+double PhysicsController::sceneSize() const
+{
+    const glm::dvec3 size = m_scene ? m_scene->extent.size() : glm::dvec3(0.0);
+    const double longest = std::max({size.x, size.y, size.z});
+    return longest > 0.0 ? longest : 1.0;
+}
+
+void PhysicsController::rain()
+{
+    if (m_scene) {
+        m_simulation.drop(rainOver(m_scene->extent, m_choices.rules().laws.gravity, m_choices.ball(sceneSize()),
+                                   static_cast<std::size_t>(m_choices.rainCount()), m_rains++));
+        m_simulation.play();
+    }
+}
+
+void PhysicsController::removeSelected()
+{
+    for (const std::uint64_t number : m_selected) {
+        m_simulation.remove(number);
+    }
+}
+
+void PhysicsController::takeFrame()
+{
+    m_isFrameAnnounced = false;
+    m_frame = m_simulation.newest();
+    m_actions.play->setChecked(m_frame->isPlaying);
+    if (m_frame->isPlaying != m_drawing.isActive()) {
+        m_frame->isPlaying ? m_drawing.start() : m_drawing.stop();
+    }
+    if (!m_frame->isPlaying) {
+        showBalls();
+    }
+    m_pane.figures().show(m_frame);
+}
+
+void PhysicsController::showBalls()
+{
+    if (!m_frame->isStarted) {
+        m_viewport.setBalls(std::nullopt);
+        return;
+    }
+    const std::chrono::duration<double> left = m_frame->due - LiveSimulation::Clock::now();
+    const double share = m_frame->way.count() > 0.0 ? std::clamp(1.0 - left / m_frame->way, 0.0, 1.0) : 1.0;
+    std::vector<BallSprite> sprites;
+    sprites.reserve(m_frame->balls.size());
+    for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
+        const bool isSelected = std::ranges::binary_search(m_selected, ball.number);
+        sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius,
+                           isSelected ? selectedColour : colours[ball.number % colours.size()]});
+    }
+    m_viewport.setBalls(std::move(sprites));
+}
+
+}
