@@ -100,9 +100,13 @@ void OrbitCamera::orbit(const glm::dvec2 &movement)
 
 void OrbitCamera::pan(const glm::dvec2 &movement)
 {
-    const glm::dvec3 shift = m_camera.worldFromCamera * glm::dvec3(movement * planeHeight(), 0.0);
-    m_camera.position -= shift;
-    m_pivot -= shift;
+    shift(-(m_camera.worldFromCamera * glm::dvec3(movement * planeHeight(), 0.0)));
+}
+
+void OrbitCamera::shift(const glm::dvec3 &way)
+{
+    m_camera.position += way;
+    m_pivot += way;
 }
 
 void OrbitCamera::zoom(double factor, const glm::dvec2 &pointer)

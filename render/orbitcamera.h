@@ -32,6 +32,8 @@ public:
     void orbit(const glm::dvec2 &movement);
     /// Moves with the pointer, so that the pivot's plane stays under it.
     void pan(const glm::dvec2 &movement);
+    /// Goes along with something that moves.
+    void shift(const glm::dvec3 &way);
     /// Goes along the camera's own axes, in distances of the pivot, which stays as far ahead.
     void fly(const glm::dvec3 &way);
     /// Looks about from where it is; a full view's height of movement is half a turn.

@@ -184,6 +184,14 @@ void SceneView::turn(const glm::dvec2 &movement)
     follow();
 }
 
+void SceneView::shift(const glm::dvec3 &way)
+{
+    if (m_surroundings) {
+        m_orbit.shift(way * std::exp2(-m_surroundings->unitExponent));
+        follow();
+    }
+}
+
 void SceneView::fly(const glm::dvec3 &way)
 {
     if (const auto ahead = pick({0.0, 0.0}, 1e-3)) {

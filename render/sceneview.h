@@ -39,6 +39,8 @@ public:
     void orbit(const glm::dvec2 &movement);
     void pan(const glm::dvec2 &movement);
     void turn(const glm::dvec2 &movement);
+    /// In the world.
+    void shift(const glm::dvec3 &way);
     /// In distances of the surface ahead, where there is one and it can be found.
     void fly(const glm::dvec3 &way);
     /// Towards or away from the surface under the pointer, where there is one and it can be found.

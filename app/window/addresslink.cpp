@@ -81,6 +81,14 @@ QString AddressLink::wordsOf(const Selection &copy) const
     return addressWords(stepsTo(copy));
 }
 
+QString AddressLink::wordsOf(std::size_t item, const Address &address) const
+{
+    const auto &surroundings = m_viewport.view().surroundings();
+    return surroundings ? addressWords(addressSteps(*surroundings->scene, item, address,
+                                                    m_seen->preview().reading.get(), m_seen->document().text().bytes()))
+                        : QString();
+}
+
 /// Of the copy that stands out.
 void AddressLink::list()
 {

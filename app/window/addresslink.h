@@ -40,6 +40,8 @@ public:
 
     /// The way to a copy, in one line.
     [[nodiscard]] QString wordsOf(const Selection &copy) const;
+    /// The way to the copy of an item with that address.
+    [[nodiscard]] QString wordsOf(std::size_t item, const Address &address) const;
 
 Q_SIGNALS:
     /// The way to the copy that the mouse rests on, or else that was clicked, in one line; empty where there is none.

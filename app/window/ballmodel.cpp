@@ -6,6 +6,8 @@
 
 #include <QLocale>
 
+#include <glm/geometric.hpp>
+
 namespace romanesco {
 
 namespace {
@@ -53,7 +55,7 @@ QVariant BallModel::data(const QModelIndex &index, int role) const
     case Number:
         return QVariant::fromValue(ball.number + 1);
     case Speed:
-        return locale.toString(ball.speed, 'g', 3);
+        return locale.toString(glm::length(ball.velocity), 'g', 3);
     case Radius:
         return locale.toString(ball.radius, 'g', 3);
     case Bounce:

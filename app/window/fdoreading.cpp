@@ -41,6 +41,21 @@ private:
     std::size_t m_end;
 };
 
+bool isOfText(const SceneItem &item, const FdoReading *reading)
+{
+    return reading && item.path.empty();
+}
+
+/// Of what no text says more of.
+std::vector<AddressStep> countedSteps(const SceneItem &item, std::size_t count)
+{
+    std::vector<AddressStep> steps{{QString::fromStdString(item.path.empty() ? item.model->meshPath : item.path)}};
+    if (count > 0) {
+        steps.push_back({Words::tr("steps in: %1").arg(QLocale().toString(static_cast<qulonglong>(count)))});
+    }
+    return steps;
+}
+
 }
 
 std::shared_ptr<const FdoReading> FdoReading::of(const std::string &text)
@@ -58,23 +73,24 @@ std::shared_ptr<const FdoReading> FdoReading::of(const std::string &text)
 std::vector<AddressStep> addressSteps(const Scene &scene, const Selection &selection, const FdoReading *reading,
                                       const std::string &text)
 {
-    std::vector<AddressStep> steps;
     const SceneItem &item = scene.items[selection.item];
-    const bool isOfText = reading && item.path.empty();
-    if (!isOfText || selection.steps.empty()) {
-        steps.push_back({QString::fromStdString(item.path.empty() ? item.model->meshPath : item.path)});
-    }
     StateTable table(item.model->graph);
-    const std::optional<Address> address = isOfText ? addressOf(table, selection.steps) : std::nullopt;
-    if (address) {
-        const Alignment aligned(reading->document.syntax.text(), text);
-        for (const OriginStep &step : origin(reading->document, reading->description, *address)) {
-            steps.push_back({QString::fromStdString(step.words),
-                             SourceRange{aligned(step.use.begin), aligned(step.use.end)}, step.pass});
-        }
-    } else if (!selection.steps.empty()) {
-        const auto count = static_cast<qulonglong>(selection.steps.size());
-        steps.push_back({Words::tr("steps in: %1").arg(QLocale().toString(count))});
+    const auto address = isOfText(item, reading) ? addressOf(table, selection.steps) : std::nullopt;
+    return address ? addressSteps(scene, selection.item, *address, reading, text)
+                   : countedSteps(item, selection.steps.size());
+}
+
+std::vector<AddressStep> addressSteps(const Scene &scene, std::size_t item, const Address &address,
+                                      const FdoReading *reading, const std::string &text)
+{
+    if (address.empty() || !isOfText(scene.items[item], reading)) {
+        return countedSteps(scene.items[item], address.size());
+    }
+    std::vector<AddressStep> steps;
+    const Alignment aligned(reading->document.syntax.text(), text);
+    for (const OriginStep &step : origin(reading->document, reading->description, address)) {
+        steps.push_back({QString::fromStdString(step.words),
+                         SourceRange{aligned(step.use.begin), aligned(step.use.end)}, step.pass});
     }
     return steps;
 }

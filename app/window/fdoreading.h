@@ -9,6 +9,7 @@
 #include <QString>
 
 #include "core/formats/fdoreader.h"
+#include "core/fractal/address.h"
 #include "core/language/fdodocument.h"
 #include "core/scene/scene.h"
 #include "render/appearance.h"
@@ -37,6 +38,10 @@ struct AddressStep {
 /// the scene is of, which may have another depth than `text`, as the editor has it: places are of that. Null for an .sdo.
 /// Cost: about a microsecond for each step, and comparing the texts.
 [[nodiscard]] std::vector<AddressStep> addressSteps(const Scene &scene, const Selection &selection,
+                                                    const FdoReading *reading, const std::string &text);
+
+/// The steps of an address in an item, the same way.
+[[nodiscard]] std::vector<AddressStep> addressSteps(const Scene &scene, std::size_t item, const Address &address,
                                                     const FdoReading *reading, const std::string &text);
 
 /// In one line: "sponge[1] box.7 › sponge[2] box.19"; of many steps the first and the last, and how many there are.

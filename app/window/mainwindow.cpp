@@ -70,7 +70,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_textActions(*this)
     , m_viewTools(new ViewTools(m_actions, *m_pane, this))
     , m_physicsActions(*this, m_viewport)
-    , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), this))
+    , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), *this))
     , m_pictureActions(
           *this, [this] { return m_viewport.grabFramebuffer(); },
           [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
@@ -198,6 +198,8 @@ void MainWindow::connectViewActions()
 {
     connectViewControls(m_actions, *m_pane);
     m_addressLink->use(*m_actions.zoomToCopy, *m_actions.collapse);
+    m_physics->inspector().setNaming(
+        [this](std::size_t item, const Address &address) { return m_addressLink->wordsOf(item, address); });
     m_viewTools->measuring().setNaming([this](const Selection &copy) { return m_addressLink->wordsOf(copy); });
     connect(m_viewTools, &ViewTools::remarkChanged, this, &MainWindow::showTrouble);
     connect(m_viewTools, &ViewTools::told, m_status, [this](const QString &words) { m_status->showMessage(words); });
@@ -466,7 +468,7 @@ void MainWindow::showText()
 void MainWindow::showScene()
 {
     m_viewport.startScene(seen().shown(), seen().view);
-    m_physics->startScene(seen().shown());
+    m_physics->start(seen());
     m_status->setSummary(seen().summary());
     m_status->clearDrawn();
     m_addressLink->clear();
@@ -478,7 +480,7 @@ void MainWindow::showPreview()
 {
     showEndless();
     m_viewport.setScene(seen().shown());
-    m_physics->setScene(seen().shown());
+    m_physics->update();
     m_addressLink->update();
     showTrouble();
 }

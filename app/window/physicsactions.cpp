@@ -14,6 +14,7 @@ PhysicsActions::PhysicsActions(QWidget &window, QWidget &viewport)
     , step(makeViewAction(viewport, tr("&Step"), Qt::Key_Period))
     , reset(makeViewAction(viewport, tr("&Reset"), Qt::Key_Backspace))
     , rain(makeAction(window, tr("R&ain")))
+    , follow(makeAction(window, tr("&Follow Ball")))
     , removeBall(makeAction(window, tr("Re&move Ball")))
     , keepBalls(makeAction(window, tr("&Keep Balls in Text")))
     , record(makeAction(window, tr("Save Re&cording…")))
@@ -24,6 +25,8 @@ PhysicsActions::PhysicsActions(QWidget &window, QWidget &viewport)
     step->setStatusTip(tr("One step of the simulation"));
     reset->setStatusTip(tr("All balls as the text has them"));
     rain->setStatusTip(tr("Drops many balls over all of the scene"));
+    follow->setCheckable(true);
+    follow->setStatusTip(tr("The camera goes along with the ball that is selected in the list"));
     removeBall->setStatusTip(tr("Takes the balls away that are selected in the list"));
     keepBalls->setStatusTip(tr("Writes the balls into the scene where they are now, a line each"));
     record->setStatusTip(tr("Saves all that is needed to let the same happen again"));
@@ -34,7 +37,7 @@ void PhysicsActions::fill(QMenu &menu) const
 {
     menu.addActions({play, step, reset});
     menu.addSeparator();
-    menu.addActions({rain, removeBall, keepBalls});
+    menu.addActions({rain, follow, removeBall, keepBalls});
     menu.addSeparator();
     menu.addActions({record, replay});
 }

@@ -24,6 +24,8 @@ public:
     QAction *step;
     QAction *reset;
     QAction *rain;
+    /// Checked while the camera goes along with a ball.
+    QAction *follow;
     QAction *removeBall;
     QAction *keepBalls;
     QAction *record;

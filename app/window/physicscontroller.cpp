@@ -10,10 +10,12 @@
 #include <glm/common.hpp>
 
 #include "balldropper.h"
+#include "ballkeeper.h"
 #include "core/physics/rain.h"
 #include "physicschoices.h"
 #include "physicsfigures.h"
 #include "physicspane.h"
+#include "texttab.h"
 #include "viewport.h"
 
 namespace romanesco {
@@ -37,14 +39,16 @@ constexpr Colour selectedColour{1.0f, 1.0f, 1.0f};
 }
 
 PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane &pane, Viewport &viewport,
-                                     BallDropper &dropper, QObject *parent)
-    : QObject(parent)
+                                     BallDropper &dropper, QWidget &window)
+    : QObject(&window)
     , m_actions(actions)
     , m_pane(pane)
     , m_choices(pane.choices())
     , m_viewport(viewport)
     , m_dropper(dropper)
     , m_frame(std::make_shared<const LiveSimulation::Frame>())
+    , m_inspector(viewport)
+    , m_recordings(window, m_simulation)
     , m_simulation([this] {
         if (!m_isFrameAnnounced.exchange(true)) {
             QMetaObject::invokeMethod(this, &PhysicsController::takeFrame, Qt::QueuedConnection);
@@ -87,21 +91,27 @@ void PhysicsController::connectActions()
     connect(m_actions.reset, &QAction::triggered, this, [this] { m_simulation.reset(); });
     connect(m_actions.rain, &QAction::triggered, this, &PhysicsController::rain);
     connect(m_actions.removeBall, &QAction::triggered, this, &PhysicsController::removeSelected);
+    connect(m_actions.follow, &QAction::toggled, this, [this] { m_followed.reset(); });
+    connect(m_actions.keepBalls, &QAction::triggered, this, &PhysicsController::keep);
+    connect(m_actions.record, &QAction::triggered, &m_recordings, &Recordings::save);
+    connect(m_actions.replay, &QAction::triggered, &m_recordings, &Recordings::open);
+    connect(&m_recordings, &Recordings::told, this, &PhysicsController::told);
     m_actions.removeBall->setEnabled(false);
-    m_pane.figures().addActions({m_actions.removeBall});
+    m_pane.figures().addActions({m_actions.follow, m_actions.removeBall});
 }
 
-void PhysicsController::startScene(const std::shared_ptr<const Scene> &scene)
+void PhysicsController::start(TextTab &seen)
 {
-    m_scene = scene;
-    m_simulation.startScene(scene);
+    m_seen = &seen;
+    m_scene = seen.shown();
+    m_simulation.startScene(m_scene);
 }
 
-void PhysicsController::setScene(const std::shared_ptr<const Scene> &scene)
+void PhysicsController::update()
 {
-    if (scene != m_scene) {
-        m_scene = scene;
-        m_simulation.setScene(scene);
+    if (m_seen->shown() != m_scene) {
+        m_scene = m_seen->shown();
+        m_simulation.setScene(m_scene);
     }
 }
 
@@ -129,10 +139,18 @@ void PhysicsController::removeSelected()
     }
 }
 
+/// Of the text that is seen, which another may be edited beside.
+void PhysicsController::keep()
+{
+    const QString trouble = m_scene ? keepBalls(*m_seen, *m_scene, *m_frame) : tr("There is no scene yet.");
+    Q_EMIT told(trouble.isEmpty() ? tr("The balls are kept in the text") : trouble);
+}
+
 void PhysicsController::takeFrame()
 {
     m_isFrameAnnounced = false;
     m_frame = m_simulation.newest();
+    m_inspector.setFrame(m_frame);
     m_actions.play->setChecked(m_frame->isPlaying);
     if (m_frame->isPlaying != m_drawing.isActive()) {
         m_frame->isPlaying ? m_drawing.start() : m_drawing.stop();
@@ -158,7 +176,25 @@ void PhysicsController::showBalls()
         sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius,
                            isSelected ? selectedColour : colours[ball.number % colours.size()]});
     }
+    follow(sprites);
     m_viewport.setBalls(std::move(sprites));
+}
+
+/// The first that is selected.
+void PhysicsController::follow(const std::vector<BallSprite> &sprites)
+{
+    const auto found = m_selected.empty()
+        ? m_frame->balls.end()
+        : std::ranges::find(m_frame->balls, m_selected.front(), &LiveSimulation::BallFrame::number);
+    if (!m_actions.follow->isChecked() || found == m_frame->balls.end()) {
+        m_followed.reset();
+        return;
+    }
+    const glm::dvec3 place = sprites[static_cast<std::size_t>(found - m_frame->balls.begin())].centre;
+    if (m_followed && *m_followed != place) {
+        m_viewport.shift(place - *m_followed);
+    }
+    m_followed = place;
 }
 
 }

@@ -4,12 +4,17 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <QObject>
 #include <QTimer>
 
+#include "contactinspector.h"
 #include "core/physics/livesimulation.h"
 #include "physicsactions.h"
+#include "recordings.h"
+#include "render/ballsprite.h"
 
 class QAction;
 
@@ -18,6 +23,7 @@ namespace romanesco {
 class BallDropper;
 class PhysicsChoices;
 class PhysicsPane;
+class TextTab;
 class Viewport;
 
 /// Lets the balls of what is seen fall: panel, actions and picture of a LiveSimulation. For the GUI thread.
@@ -25,17 +31,17 @@ class PhysicsController : public QObject
 {
     Q_OBJECT
 public:
-    /// pane, viewport and dropper must outlive it.
+    /// window owns it; pane, viewport and dropper must outlive it.
     PhysicsController(const PhysicsActions &actions, PhysicsPane &pane, Viewport &viewport, BallDropper &dropper,
-                      QObject *parent = nullptr);
+                      QWidget &window);
     ~PhysicsController() override;
 
-    /// What is seen is of another text: its balls are where that has them.
-    void startScene(const std::shared_ptr<const Scene> &scene);
+    /// Another text is seen: its balls are where that has them.
+    void start(TextTab &seen);
     /// The text has changed: balls that move go on, on what it says now.
-    void setScene(const std::shared_ptr<const Scene> &scene);
+    void update();
 
-    [[nodiscard]] LiveSimulation &simulation() { return m_simulation; }
+    [[nodiscard]] ContactInspector &inspector() { return m_inspector; }
 
 Q_SIGNALS:
     /// In a line.
@@ -45,6 +51,8 @@ private:
     void connectActions();
     void rain();
     void removeSelected();
+    void keep();
+    void follow(const std::vector<BallSprite> &sprites);
     void takeFrame();
     void showBalls();
     [[nodiscard]] double sceneSize() const;
@@ -54,14 +62,19 @@ private:
     PhysicsChoices &m_choices;
     Viewport &m_viewport;
     BallDropper &m_dropper;
+    TextTab *m_seen = nullptr;
     std::shared_ptr<const Scene> m_scene;
     std::shared_ptr<const LiveSimulation::Frame> m_frame;
     std::vector<std::uint64_t> m_selected;
     std::uint64_t m_rains = 0;
+    /// Where the ball was that the camera goes along with.
+    std::optional<glm::dvec3> m_followed;
+    ContactInspector m_inspector;
     /// Runs while balls move: the picture has them where they are by then.
     QTimer m_drawing;
     std::atomic<bool> m_isFrameAnnounced = false;
-    /// Last: it ends before the rest goes.
+    Recordings m_recordings;
+    /// Last: its thread ends before the rest goes.
     LiveSimulation m_simulation;
 };
 

@@ -538,6 +538,12 @@ void Viewport::setTrail(std::optional<std::size_t> trail)
     cameraChanged();
 }
 
+void Viewport::shift(const glm::dvec3 &way)
+{
+    m_view.shift(way);
+    cameraChanged();
+}
+
 void Viewport::enterEvent(QEnterEvent *event)
 {
     QOpenGLWidget::enterEvent(event);

@@ -48,6 +48,9 @@ public:
     void zoomToSelection();
     void setProjection(Projection projection);
 
+    /// Goes along with something that moves, so far in the world.
+    void shift(const glm::dvec3 &way);
+
     /// As SceneView's.
     void setTrail(std::optional<std::size_t> trail);
 

@@ -22,6 +22,10 @@ struct FileToPlace {
 /// Whether a path can be written: strings have no escapes.
 [[nodiscard]] bool isWritablePath(std::string_view path);
 
+/// The edit that adds lines, each of which begins with a line end, to what a scene places: after the last line that places
+/// something, or at the end of the text.
+[[nodiscard]] TextEdit withPlacedLines(const SdoSyntax &scene, const std::string &lines);
+
 /// The edit that places files in a scene as they are, each by a line of its own: after the last line that places one, or at
 /// the end of the text. Paths are writable; none is no edit.
 [[nodiscard]] TextEdits withPlacedFiles(const SdoSyntax &scene, std::span<const FileToPlace> files);

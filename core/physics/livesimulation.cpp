@@ -335,6 +335,7 @@ private:
         m_simulation.emplace(std::move(*made));
         m_remark.clear();
         m_nextNumber = 0;
+        m_ownBalls = m_simulation->world().balls().size();
         for (const BallState &ball : m_simulation->world().balls()) {
             m_numbers.push_back(m_nextNumber++);
             m_before.push_back(ball.position);
@@ -427,13 +428,15 @@ private:
             frame.way = Seconds(m_isPlaying ? wayOfStep() : 0.0);
             frame.energy = energyOf(world);
             frame.lostSteps = world.lostSteps();
+            frame.surface = world.surface();
+            frame.ownBalls = m_ownBalls;
             frame.balls.reserve(world.balls().size());
             for (std::size_t i = 0; i < world.balls().size(); ++i) {
                 const BallState &ball = world.balls()[i];
                 const unsigned contacts = world.reports()[i].contacts;
                 frame.contacts += contacts;
-                frame.balls.push_back({m_numbers[i], m_before[i], ball.position, glm::length(ball.velocity),
-                                       ball.radius, ball.restitution, contacts, ball.isAsleep});
+                frame.balls.push_back({m_numbers[i], m_before[i], ball.position, ball.velocity, ball.radius,
+                                       ball.restitution, contacts, ball.isAsleep});
             }
         }
         {
@@ -470,6 +473,7 @@ private:
     std::vector<std::uint64_t> m_numbers;
     std::vector<glm::dvec3> m_before;
     std::uint64_t m_nextNumber = 0;
+    std::size_t m_ownBalls = 0;
     Clock::time_point m_due;
     Clock::time_point m_told;
 

@@ -33,7 +33,7 @@ public:
         /// The centre at the last step but one, and at the last.
         glm::dvec3 before{0.0};
         glm::dvec3 after{0.0};
-        double speed = 0.0;
+        glm::dvec3 velocity{0.0};
         double radius = 0.0;
         double restitution = 0.0;
         unsigned contacts = 0;
@@ -72,6 +72,10 @@ public:
         unsigned contacts = 0;
         /// Times that a ball was not done with a step.
         std::uint64_t lostSteps = 0;
+        /// So many balls were the scene's own, numbered from 0, at the start.
+        std::size_t ownBalls = 0;
+        /// What they fall on; null unless isStarted.
+        std::shared_ptr<const Surface> surface;
         /// What was not possible, or what a replay came to: a sentence, or empty.
         std::string remark;
     };

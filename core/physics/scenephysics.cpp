@@ -59,6 +59,17 @@ std::expected<Surface, std::string> surfaceOf(const std::shared_ptr<const Scene>
     });
 }
 
+std::optional<BallContact> contactOf(const Surface &surface, const Ball &ball)
+{
+    SceneSearch search(static_cast<const SceneCollider &>(*surface.collider));
+    Hit hit;
+    search.closest({.p = ball.position, .radius = 2.0 * ball.radius}, hit);
+    if (!hit.isFound()) {
+        return std::nullopt;
+    }
+    return BallContact{search.item(), hit.face, hit.address, hit.point, hit.direction, ball.radius - hit.distance};
+}
+
 bool provesClearance(ColliderKind kind)
 {
     return kind != ColliderKind::Greedy && kind != ColliderKind::Octree;

@@ -4,6 +4,7 @@
 
 #include <expected>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -23,6 +24,22 @@ namespace romanesco {
 [[nodiscard]] std::expected<Surface, std::string> surfaceOf(const std::shared_ptr<const Scene> &scene,
                                                             const SceneCollider::Options &options,
                                                             const std::stop_token &stop = {});
+
+/// What a ball is nearest to.
+struct BallContact {
+    std::size_t item = 0;
+    /// Of the item's base mesh, in the copy with this address.
+    std::uint32_t face = 0;
+    Address address;
+    glm::dvec3 point{0.0};
+    /// From there to the centre, of length 1.
+    glm::dvec3 normal{0.0};
+    /// How far the ball reaches in; negative for a gap.
+    double overlap = 0.0;
+};
+
+/// By a surface that surfaceOf() made; nothing where none is within twice the radius. Costs some microseconds.
+[[nodiscard]] std::optional<BallContact> contactOf(const Surface &surface, const Ball &ball);
 
 /// Whether a kind of collider proves that nothing is nearer than it says: else balls may go through the surface.
 [[nodiscard]] bool provesClearance(ColliderKind kind);

@@ -53,6 +53,7 @@ public:
     [[nodiscard]] std::span<const StepReport> reports() const { return m_reports; }
     [[nodiscard]] std::uint64_t stepCount() const { return m_stepCount; }
     [[nodiscard]] const Options &options() const { return m_options; }
+    [[nodiscard]] const std::shared_ptr<const Surface> &surface() const { return m_surface; }
     /// How often a ball has lost the rest of a step.
     [[nodiscard]] std::uint64_t lostSteps() const { return m_lostSteps; }
 
