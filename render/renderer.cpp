@@ -196,13 +196,17 @@ public:
         return m_balls.draw(balls, picture, width, height);
     }
 
-    Picture read()
+    Picture read(std::span<const BallSprite> balls)
     {
         auto target = makeTarget(m_shown->width, m_shown->height, GL_RGBA8, false);
         if (!target || m_sumCount == 0) {
             return {};
         }
         present(target->framebuffer, target->width, target->height);
+        if (const auto drawn = presentBalls(target->framebuffer, target->width, target->height, balls); !drawn) {
+            fail(drawn.error());
+            return {};
+        }
         Picture picture{target->width, target->height, {}};
         const std::size_t rowBytes = static_cast<std::size_t>(picture.width) * 3;
         std::vector<std::uint8_t> pixels(rowBytes * static_cast<std::size_t>(picture.height));
@@ -546,9 +550,9 @@ std::expected<void, std::string> Renderer::presentBalls(unsigned framebuffer, in
     return d->presentBalls(framebuffer, width, height, balls);
 }
 
-Picture Renderer::read()
+Picture Renderer::read(std::span<const BallSprite> balls)
 {
-    return d->read();
+    return d->read(balls);
 }
 
 DrawStatistics Renderer::statistics() const

@@ -97,9 +97,9 @@ public:
     [[nodiscard]] std::expected<void, std::string> presentBalls(unsigned framebuffer, int width, int height,
                                                                 std::span<const BallSprite> balls);
 
-    /// The same as present(), off the card, at its own size. Waits for the card. Without pixels where there is nothing to show, or no memory
-    /// for it.
-    [[nodiscard]] Picture read();
+    /// The same, with balls or without, off the card, at its own size. Waits for the card. Without pixels where there is nothing
+    /// to show, or no memory for it.
+    [[nodiscard]] Picture read(std::span<const BallSprite> balls = {});
 
     [[nodiscard]] DrawStatistics statistics() const;
     /// "OpenGL 4.5, llvmpipe (…)".

@@ -16,6 +16,7 @@
 #include "core/formats/sdoreader.h"
 #include "input.h"
 #include "output.h"
+#include "picturesize.h"
 #include "render/sceneview.h"
 #include "turntable.h"
 
@@ -23,15 +24,13 @@ namespace romanesco::cli {
 
 namespace {
 
-constexpr int largestSide = 16'384;
 constexpr int mostSamples = 4'096;
 
 struct Options {
     QCommandLineOption output{{QStringLiteral("o"), QStringLiteral("output")},
                               QStringLiteral("The picture to write; - is stdout."),
                               QStringLiteral("OUT.png")};
-    QCommandLineOption size{QStringLiteral("size"), QStringLiteral("Width and height in pixels (1280x720)."),
-                            QStringLiteral("WxH"), QStringLiteral("1280x720")};
+    QCommandLineOption size = sizeOption();
     QCommandLineOption tolerance{QStringLiteral("pixel-tolerance"),
                                  QStringLiteral("Copies smaller than this many pixels are drawn as one (1); "
                                                 "0 draws every instance."),
@@ -91,16 +90,12 @@ std::optional<View> viewFromOptions(const QCommandLineParser &parser, const Opti
 {
     View view;
     view.standsAlone = true;
-    static const QRegularExpression sizePattern(QStringLiteral("^([1-9][0-9]{0,5})x([1-9][0-9]{0,5})$"));
-    const QRegularExpressionMatch size = sizePattern.match(parser.value(options.size));
-    view.width = size.captured(1).toInt();
-    view.height = size.captured(2).toInt();
-    if (!size.hasMatch() || std::max(view.width, view.height) > largestSide) {
-        complain(QStringLiteral("--size takes WIDTHxHEIGHT, each up to %1, not \"%2\"")
-                     .arg(largestSide)
-                     .arg(parser.value(options.size)));
+    const auto size = pictureSize(parser);
+    if (!size) {
         return std::nullopt;
     }
+    view.width = size->width();
+    view.height = size->height();
     bool isNumber = false;
     view.pixelTolerance = parser.value(options.tolerance).toDouble(&isNumber);
     if (!isNumber || !(view.pixelTolerance >= 0.0 && view.pixelTolerance <= largestSide)) {

@@ -13,6 +13,8 @@
 
 #include <QCommandLineParser>
 
+#include "app/imagedecoder.h"
+#include "ballframes.h"
 #include "colliderchoice.h"
 #include "core/formats/numbertext.h"
 #include "core/physics/scenephysics.h"
@@ -47,6 +49,7 @@ struct Options {
         QStringLiteral("replay"),
         QStringLiteral("Run a recording again, and tell whether it comes to the same; it says all the rest."),
         QStringLiteral("F")};
+    BallFrames::Options frames;
     QCommandLineOption quiet{QStringLiteral("quiet"), QStringLiteral("No progress.")};
 };
 
@@ -54,6 +57,7 @@ struct Options {
 struct Wanted {
     Recording recording;
     bool isReplay = false;
+    std::optional<BallFrames::Choice> frames = {};
 };
 
 /// A wish, or an exit status after a complaint.
@@ -212,26 +216,64 @@ private:
     std::chrono::steady_clock::time_point m_shown = std::chrono::steady_clock::now();
 };
 
-/// Moves the balls and writes their rows. An exit status.
-int run(Simulation &simulation, const Recording &wanted, const QString &file, const CancelWatch &cancel, bool isQuiet)
+/// What is made of each step: rows, or pictures.
+class Output
 {
-    StandardOutput sink;
-    BallTable table(sink);
+public:
+    Output(StandardOutput &sink, std::optional<BallFrames> &frames)
+        : m_frames(frames)
+    {
+        if (!m_frames) {
+            m_table.emplace(sink);
+        }
+    }
+
+    /// At the start and after each step. Whether to go on.
+    [[nodiscard]] bool add(const World &world)
+    {
+        if (m_frames) {
+            m_isGood = m_frames->take(world);
+            return m_isGood;
+        }
+        m_table->add(world);
+        return m_table->isGood();
+    }
+
+    /// An exit status.
+    [[nodiscard]] int finish()
+    {
+        const auto written = m_table ? m_table->flush() : std::expected<void, std::string>();
+        if (!written) {
+            complain(QStringLiteral("cannot write -: %1").arg(QString::fromStdString(written.error())));
+        }
+        return written && m_isGood ? Done : CannotDo;
+    }
+
+private:
+    std::optional<BallFrames> &m_frames;
+    std::optional<BallTable> m_table;
+    bool m_isGood = true;
+};
+
+/// Moves the balls. An exit status.
+int run(Simulation &simulation, const Recording &wanted, const QString &file, const CancelWatch &cancel, Output &output,
+        bool isQuiet)
+{
     StepProgress progress(isQuiet, wanted.steps);
-    table.add(simulation.world());
+    bool goesOn = output.add(simulation.world());
     auto input = wanted.inputs.begin();
-    for (std::uint64_t step = 0; step < wanted.steps && table.isGood() && !isCancelled(); ++step) {
+    for (std::uint64_t step = 0; step < wanted.steps && goesOn && !isCancelled(); ++step) {
         for (; input != wanted.inputs.end() && input->step == step; ++input) {
             if (const auto applied = simulation.apply(*input, cancel.token()); !applied) {
                 return refuse(file, applied.error());
             }
         }
         simulation.step();
-        table.add(simulation.world());
+        goesOn = output.add(simulation.world());
         progress.show(step + 1);
     }
-    if (const auto written = table.flush(); !written) {
-        return refuse(QStringLiteral("cannot write -"), written.error());
+    if (const int status = output.finish(); status != Done) {
+        return status;
     }
     if (isCancelled()) {
         complain(QStringLiteral("cancelled"));
@@ -263,21 +305,29 @@ int runSimulate(const QStringList &arguments)
     parser.setApplicationDescription(QStringLiteral(
         "Lets the balls of a scene fall on its objects and fractals, at 9.8 units a second squared.\n"
         "Prints a row for each ball at each step: step,time,ball,x,y,z,vx,vy,vz,radius,contacts,face_tests.\n"
-        "Balls are numbered from 0, in the order of the text. At last the state's hash is told on stderr, which is the "
+        "Balls are numbered from 0, in the order of the text. With --render there are pictures instead. At last the "
+        "state's hash is told on stderr, which is the "
         "same for the same scene and options on every machine."));
     const Options options;
     parser.addOptions({options.seconds, options.timeStep, options.asDissertation, options.shrink, options.record,
                        options.replay, depthOption(), options.quiet});
     options.collider.addTo(parser);
+    options.frames.addTo(parser);
     const auto file = parseArguments(parser, "simulate", arguments);
     if (!file) {
         return file.error();
     }
-    const Wish wanted = parser.isSet(options.replay) ? replayOf(parser, options) : wantedOf(parser, options);
+    Wish wanted = parser.isSet(options.replay) ? replayOf(parser, options) : wantedOf(parser, options);
     if (!wanted) {
         return wanted.error();
     }
-    const auto input = readInput(*file, parser);
+    if (options.frames.areSet(parser)) {
+        wanted->frames = options.frames.chosen(parser);
+        if (!wanted->frames) {
+            return WrongUsage;
+        }
+    }
+    const auto input = readInput(*file, parser, wanted->frames ? decodeImage : ImageDecoder());
     if (!input) {
         return input.error();
     }
@@ -296,7 +346,17 @@ int runSimulate(const QStringList &arguments)
     if (!provesClearance(wanted->recording.collider.kind) || wanted->recording.world.isAsInDissertation) {
         complain(QStringLiteral("warning: balls may go through the surface"));
     }
-    const int status = run(*simulation, wanted->recording, *file, cancel, parser.isSet(options.quiet));
+    std::optional<BallFrames> frames;
+    if (wanted->frames) {
+        auto made = BallFrames::create(*wanted->frames, input->scene);
+        if (!made) {
+            return refuse(*file, made.error());
+        }
+        frames.emplace(std::move(*made));
+    }
+    StandardOutput sink;
+    Output output(sink, frames);
+    const int status = run(*simulation, wanted->recording, *file, cancel, output, parser.isSet(options.quiet));
     return status == Done ? conclude(*simulation, *wanted, parser.value(options.record)) : status;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "painter.h"
 
-#include <format>
 #include <utility>
 
 #include <QBuffer>
@@ -39,13 +38,22 @@ std::expected<Picture, std::string> Painter::draw(const View &view, const GoesOn
     if (!m_renderer->error().empty()) {
         return std::unexpected(m_renderer->error());
     }
-    Picture picture = m_renderer->read();
+    return read({});
+}
+
+std::expected<Picture, std::string> Painter::withBalls(std::span<const BallSprite> balls)
+{
+    return read(balls);
+}
+
+std::expected<Picture, std::string> Painter::read(std::span<const BallSprite> balls)
+{
+    Picture picture = m_renderer->read(balls);
     if (picture.pixels.empty() && !m_renderer->error().empty()) {
         return std::unexpected(m_renderer->error());
     }
     if (picture.pixels.empty()) {
-        return std::unexpected(
-            std::format("The graphics driver has no room for a picture of {}x{}.", view.width, view.height));
+        return std::unexpected("The graphics driver has no room for the picture.");
     }
     return picture;
 }

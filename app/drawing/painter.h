@@ -5,6 +5,7 @@
 #include <expected>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include <QByteArray>
@@ -26,8 +27,13 @@ public:
     /// The error is a sentence; "cancelled" where the drawing was ended.
     [[nodiscard]] std::expected<Picture, std::string> draw(const View &view, const GoesOn &goesOn);
 
+    /// The picture that was drawn last, of a view that leaves out balls, with these. The error is a sentence.
+    [[nodiscard]] std::expected<Picture, std::string> withBalls(std::span<const BallSprite> balls);
+
 private:
     Painter() = default;
+
+    [[nodiscard]] std::expected<Picture, std::string> read(std::span<const BallSprite> balls);
 
     /// Outlives what was made in it.
     std::unique_ptr<EglContext> m_context;

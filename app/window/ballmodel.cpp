@@ -58,8 +58,6 @@ QVariant BallModel::data(const QModelIndex &index, int role) const
         return locale.toString(glm::length(ball.velocity), 'g', 3);
     case Radius:
         return locale.toString(ball.radius, 'g', 3);
-    case Bounce:
-        return locale.toString(ball.restitution, 'g', 3);
     case State:
         return ball.isAsleep ? tr("rests") : ball.contacts > 0 ? tr("touches") : tr("flies");
     default:
@@ -79,8 +77,6 @@ QVariant BallModel::headerData(int section, Qt::Orientation orientation, int rol
         return tr("Speed");
     case Radius:
         return tr("Radius");
-    case Bounce:
-        return tr("Bounce");
     case State:
         return tr("State");
     default:

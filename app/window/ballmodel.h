@@ -15,7 +15,7 @@ class BallModel : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { Number, Speed, Radius, Bounce, State, ColumnCount };
+    enum Column { Number, Speed, Radius, State, ColumnCount };
 
     using QAbstractTableModel::QAbstractTableModel;
 

@@ -9,6 +9,7 @@
 
 #include <glm/common.hpp>
 
+#include "app/drawing/ballcolours.h"
 #include "balldropper.h"
 #include "ballkeeper.h"
 #include "core/physics/rain.h"
@@ -24,17 +25,7 @@ namespace {
 
 constexpr int millisecondsAPicture = 16;
 
-using Colour = std::array<float, 3>;
-/// One after another, told apart by people who see fewer colours too (Okabe and Ito 2008).
-constexpr std::array<Colour, 6> colours{{
-    {0.90f, 0.62f, 0.00f},
-    {0.34f, 0.71f, 0.91f},
-    {0.00f, 0.62f, 0.45f},
-    {0.94f, 0.89f, 0.26f},
-    {0.84f, 0.37f, 0.00f},
-    {0.80f, 0.47f, 0.65f},
-}};
-constexpr Colour selectedColour{1.0f, 1.0f, 1.0f};
+constexpr std::array<float, 3> selectedColour{1.0f, 1.0f, 1.0f};
 
 }
 
@@ -174,7 +165,7 @@ void PhysicsController::showBalls()
     for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
         const bool isSelected = std::ranges::binary_search(m_selected, ball.number);
         sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius,
-                           isSelected ? selectedColour : colours[ball.number % colours.size()]});
+                           isSelected ? selectedColour : ballColour(ball.number)});
     }
     follow(sprites);
     m_viewport.setBalls(std::move(sprites));

@@ -33,7 +33,7 @@ QString wordsOf(const LiveSimulation::Frame &frame)
         return lines.join(u'\n');
     }
     const auto resting = std::ranges::count_if(frame.balls, &LiveSimulation::BallFrame::isAsleep);
-    lines << PhysicsFigures::tr("Balls %1, at rest %2, contacts %3")
+    lines << PhysicsFigures::tr("Balls %1 · at rest %2 · contacts %3")
                  .arg(frame.balls.size())
                  .arg(resting)
                  .arg(frame.contacts);
@@ -79,7 +79,7 @@ QWidget *PhysicsFigures::makeWords()
     m_words = new QLabel;
     m_words->setTextFormat(Qt::PlainText);
     m_words->setWordWrap(true);
-    m_words->setFixedWidth(210);
+    m_words->setFixedWidth(230);
     m_words->setAccessibleName(tr("Figures"));
     m_energy = new EnergyGraph;
     m_energy->setToolTip(tr("The energy of all balls: of motion and of height"));
@@ -99,7 +99,7 @@ QWidget *PhysicsFigures::makeList()
     m_list->setToolTip(tr("Those that are selected stand out in the picture"));
     m_list->verticalHeader()->hide();
     m_list->verticalHeader()->setDefaultSectionSize(m_list->fontMetrics().height() + 4);
-    m_list->horizontalHeader()->setDefaultSectionSize(52);
+    m_list->horizontalHeader()->setDefaultSectionSize(64);
     m_list->horizontalHeader()->setStretchLastSection(true);
     m_list->setMinimumWidth(180);
     m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);

@@ -3,12 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include <epoxy/gl.h>
-
 #include <QTest>
 
 #include "drawing.h"
-#include "render/glresources.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
@@ -52,21 +49,7 @@ class TestBallLayer : public DrawingTest
     {
         view.leavesOutBalls = true;
         static_cast<void>(draw(scene, view));
-        auto target = makeTarget(width, height, GL_RGBA8, false);
-        m_renderer->present(target->framebuffer, width, height);
-        const auto drawn = m_renderer->presentBalls(target->framebuffer, width, height, balls);
-        if (!drawn) {
-            qWarning("%s", drawn.error().c_str());
-        }
-        Picture picture{width, height, std::vector<std::uint8_t>(3 * width * height)};
-        std::vector<std::uint8_t> rows(picture.pixels.size());
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rows.data());
-        for (std::size_t y = 0; y < height; ++y) {
-            std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(3 * width * (height - 1 - y)), 3 * width,
-                        picture.pixels.begin() + static_cast<std::ptrdiff_t>(3 * width * y));
-        }
-        return picture;
+        return m_renderer->read(balls);
     }
 
 private Q_SLOTS:
