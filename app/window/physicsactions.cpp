@@ -17,6 +17,8 @@ PhysicsActions::PhysicsActions(QWidget &window, QWidget &viewport)
     , follow(makeAction(window, tr("&Follow Ball")))
     , removeBall(makeAction(window, tr("Re&move Ball")))
     , keepBalls(makeAction(window, tr("&Keep Balls in Text")))
+    , walk(makeViewAction(viewport, tr("&Walk"), Qt::Key_V))
+    , walkFalling(makeAction(window, tr("&Gravity While Walking")))
     , record(makeAction(window, tr("Save Re&cording…")))
     , replay(makeAction(window, tr("Replay Recor&ding…")))
 {
@@ -29,6 +31,11 @@ PhysicsActions::PhysicsActions(QWidget &window, QWidget &viewport)
     follow->setStatusTip(tr("The camera goes along with the ball that is selected in the list"));
     removeBall->setStatusTip(tr("Takes the balls away that are selected in the list"));
     keepBalls->setStatusTip(tr("Writes the balls into the scene where they are now, a line each"));
+    walk->setCheckable(true);
+    walk->setStatusTip(tr("The camera goes by W, A, S, D and the wheel, looks about by drags, and enters nothing"));
+    walkFalling->setCheckable(true);
+    walkFalling->setChecked(true);
+    walkFalling->setStatusTip(tr("Who walks falls until something carries him"));
     record->setStatusTip(tr("Saves all that is needed to let the same happen again"));
     replay->setStatusTip(tr("Lets what was recorded happen again, and tells whether it came to the same"));
 }
@@ -38,6 +45,8 @@ void PhysicsActions::fill(QMenu &menu) const
     menu.addActions({play, step, reset});
     menu.addSeparator();
     menu.addActions({rain, follow, removeBall, keepBalls});
+    menu.addSeparator();
+    menu.addActions({walk, walkFalling});
     menu.addSeparator();
     menu.addActions({record, replay});
 }

@@ -28,6 +28,8 @@ public:
     QAction *follow;
     QAction *removeBall;
     QAction *keepBalls;
+    QAction *walk;
+    QAction *walkFalling;
     QAction *record;
     QAction *replay;
 };

@@ -39,6 +39,7 @@ PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane 
     , m_dropper(dropper)
     , m_frame(std::make_shared<const LiveSimulation::Frame>())
     , m_inspector(viewport)
+    , m_walkMode(viewport)
     , m_recordings(window, m_simulation)
     , m_simulation([this] {
         if (!m_isFrameAnnounced.exchange(true)) {
@@ -69,6 +70,7 @@ PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane 
         showBalls();
     });
     connectActions();
+    connectWalking();
     m_pane.figures().show(m_frame);
 }
 
@@ -91,11 +93,30 @@ void PhysicsController::connectActions()
     m_pane.figures().addActions({m_actions.follow, m_actions.removeBall});
 }
 
+void PhysicsController::connectWalking()
+{
+    connect(m_actions.walk, &QAction::toggled, this,
+            [this](bool isWanted) { isWanted ? m_walkMode.start() : m_walkMode.stop(); });
+    connect(m_actions.walkFalling, &QAction::toggled, this, &PhysicsController::setWalkGravity);
+    connect(&m_choices, &PhysicsChoices::rulesChanged, this, &PhysicsController::setWalkGravity);
+    connect(&m_walkMode, &WalkMode::ended, this, [this](const QString &reason) {
+        m_actions.walk->setChecked(false);
+        Q_EMIT told(reason);
+    });
+    setWalkGravity();
+}
+
+void PhysicsController::setWalkGravity()
+{
+    m_walkMode.setGravity(m_actions.walkFalling->isChecked() ? m_choices.rules().laws.gravity : glm::dvec3(0.0));
+}
+
 void PhysicsController::start(TextTab &seen)
 {
     m_seen = &seen;
     m_scene = seen.shown();
     m_simulation.startScene(m_scene);
+    m_walkMode.setScene(m_scene);
 }
 
 void PhysicsController::update()
@@ -103,6 +124,7 @@ void PhysicsController::update()
     if (m_seen->shown() != m_scene) {
         m_scene = m_seen->shown();
         m_simulation.setScene(m_scene);
+        m_walkMode.setScene(m_scene);
     }
 }
 

@@ -15,6 +15,7 @@
 #include "physicsactions.h"
 #include "recordings.h"
 #include "render/ballsprite.h"
+#include "walkmode.h"
 
 class QAction;
 
@@ -53,6 +54,8 @@ private:
     void removeSelected();
     void keep();
     void follow(const std::vector<BallSprite> &sprites);
+    void connectWalking();
+    void setWalkGravity();
     void takeFrame();
     void showBalls();
     [[nodiscard]] double sceneSize() const;
@@ -70,6 +73,7 @@ private:
     /// Where the ball was that the camera goes along with.
     std::optional<glm::dvec3> m_followed;
     ContactInspector m_inspector;
+    WalkMode m_walkMode;
     /// Runs while balls move: the picture has them where they are by then.
     QTimer m_drawing;
     std::atomic<bool> m_isFrameAnnounced = false;

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double clickDistance = 4.0;
 constexpr double zoomOfNotch = 0.85;
+/// In distances of what was ahead.
+constexpr double wayOfNotch = 0.1;
 /// Of an arrow key, in heights of the view.
 constexpr double keyMovement = 1.0 / 24.0;
 
@@ -53,7 +55,8 @@ void ViewGestures::press(const QMouseEvent &event)
     const bool isLeft = event.button() == Qt::LeftButton;
     const bool isRight = event.button() == Qt::RightButton;
     const bool pans = isRight || (isLeft && event.modifiers() & Qt::ShiftModifier);
-    m_drag = m_flight.isActive() && isRight ? Drag::Turn : pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
+    const bool turns = m_walk ? isLeft || isRight : m_flight.isActive() && isRight;
+    m_drag = turns ? Drag::Turn : pans ? Drag::Pan : isLeft ? Drag::Orbit : Drag::None;
     m_button = event.button();
     m_isClick = true;
     m_pressedAt = m_lastAt = event.position();
@@ -87,22 +90,32 @@ void ViewGestures::release(const QMouseEvent &event)
     if (!m_isClick) {
         return;
     }
-    if (ended == Drag::Orbit) {
+    const bool isTurn = ended == Drag::Turn && m_walk;
+    if (ended == Drag::Orbit || (isTurn && m_button == Qt::LeftButton)) {
         Q_EMIT clicked(event.position());
-    } else if (ended == Drag::Pan && m_button == Qt::RightButton) {
+    } else if ((ended == Drag::Pan || isTurn) && m_button == Qt::RightButton) {
         Q_EMIT rightClicked(event.position());
     }
 }
 
 void ViewGestures::turn(const QWheelEvent &event)
 {
+    const double notches = event.angleDelta().y() / 120.0;
+    if (m_walk) {
+        m_walk({0.0, 0.0, wayOfNotch * notches});
+        return;
+    }
     Q_EMIT surfacesNeeded();
-    m_view.zoom(std::pow(zoomOfNotch, event.angleDelta().y() / 120.0), pointer(event.position()));
+    m_view.zoom(std::pow(zoomOfNotch, notches), pointer(event.position()));
     Q_EMIT moved();
 }
 
 void ViewGestures::fly(const glm::dvec3 &way)
 {
+    if (m_walk) {
+        m_walk(way);
+        return;
+    }
     m_view.fly(way);
     Q_EMIT moved();
 }
@@ -139,13 +152,19 @@ bool ViewGestures::pressKey(const QKeyEvent &event)
         break;
     case Qt::Key_Plus:
     case Qt::Key_Minus:
+        if (m_walk) {
+            m_walk({0.0, 0.0, event.key() == Qt::Key_Plus ? wayOfNotch : -wayOfNotch});
+            return true;
+        }
         m_view.zoom(event.key() == Qt::Key_Plus ? zoomOfNotch : 1.0 / zoomOfNotch, glm::dvec2(0.0));
         Q_EMIT moved();
         return true;
     default:
         return false;
     }
-    if (event.modifiers() & Qt::ShiftModifier) {
+    if (m_walk) {
+        m_view.turn(way);
+    } else if (event.modifiers() & Qt::ShiftModifier) {
         m_view.pan(way);
     } else {
         m_view.orbit(way);

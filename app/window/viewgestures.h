@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <functional>
+
 #include <QObject>
 #include <QPointF>
 
@@ -34,6 +36,11 @@ public:
     /// All keys go up.
     void stop();
 
+    /// From now on the view is walked with: what flew and zoomed goes along the camera's axes by this, in distances of what was
+    /// ahead, and drags and arrow keys look about. None for the view as it was.
+    using Walk = std::function<void(const glm::dvec3 &way)>;
+    void setWalk(Walk walk) { m_walk = std::move(walk); }
+
     /// A button is held, or a key that flies.
     [[nodiscard]] bool isActive() const { return m_drag != Drag::None || m_flight.isActive(); }
 
@@ -65,6 +72,7 @@ private:
     QPointF m_pressedAt;
     QPointF m_lastAt;
     Flight m_flight;
+    Walk m_walk;
 };
 
 }

@@ -48,6 +48,9 @@ public:
     void zoomToSelection();
     void setProjection(Projection projection);
 
+    /// See ViewGestures.
+    void setWalk(ViewGestures::Walk walk) { m_gestures.setWalk(std::move(walk)); }
+
     /// Goes along with something that moves, so far in the world.
     void shift(const glm::dvec3 &way);
 

@@ -14,6 +14,8 @@ namespace {
 constexpr int mostResponses = 32;
 /// Of gravity: a force that is as little against a direction is along it.
 constexpr double alongShare = 1e-9;
+/// What a direction takes from a velocity, beside what goes along it.
+constexpr double mostOfBounce = 10.0;
 
 /// v, turned away from each direction by a little more than these may be off, so that none is found to be in the way again.
 glm::dvec3 leaning(const glm::dvec3 &v, const Supports &supports, double tilt)
@@ -61,8 +63,15 @@ bool takeLeftOut(BallStep &step, const Supports &touching)
     bool hasChanged = false;
     for (const glm::dvec3 &n : touching.directions()) {
         const double along = glm::dot(v, n);
-        if (!held.holds(n) && isLeftOut(step, held, n, along)) {
-            held.add(n);
+        if (held.holds(n) || !isLeftOut(step, held, n, along)) {
+            continue;
+        }
+        // Between directions that hardly differ, as at an edge, being held by both would take what goes across them too.
+        Supports both = held;
+        both.add(n);
+        const double taken = glm::length(v - both.along(v));
+        if (taken <= mostOfBounce * along || isLeftOut(step, held, n, taken)) {
+            held = both;
             hasChanged = true;
         }
     }

@@ -134,6 +134,7 @@ private Q_SLOTS:
     void whatCannotBeKeptIsTold();
     void recordingsAreReplayed();
     void contactsAreTold();
+    void whoWalksEntersNothing();
     void nothingIsDoneBeforeItIsNeeded();
 };
 
@@ -470,6 +471,49 @@ void TestPhysics::contactsAreTold()
     QVERIFY2(words.contains(QLatin1String("of cube.obj")), qPrintable(words));
     QVERIFY2(words.contains(QLatin1String("Normal (0, 1, 0)")), qPrintable(words));
     QVERIFY(!sample.physics.inspector().ballAt(sample.pixelOf(1.0, 1.0)));
+}
+
+void TestPhysics::whoWalksEntersNothing()
+{
+    PhysicsSample sample;
+    QVERIFY(sample.begin("c (0, 0, -8) # 60\no \"cube.obj\" #\n"));
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.isPictureFinished(); }, 60'000));
+    const auto place = [&] { return sample.viewport.view().cameraInWorld().position; };
+    sample.action(QStringLiteral("Gravity While Walking"))->setChecked(false);
+    sample.press(Qt::Key_V);
+    QVERIFY(sample.action(QStringLiteral("Walk"))->isChecked());
+    // ahead, until the front face holds it up
+    const double start = place().z;
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            sample.press(Qt::Key_Plus);
+            return place().z > start;
+        },
+        60'000));
+    for (int i = 0; i < 60; ++i) {
+        sample.press(Qt::Key_Plus);
+    }
+    const double held = place().z;
+    QVERIFY(held < -1.5 && held > -2.2);
+    // a drag looks about and moves nothing
+    QTest::mousePress(&sample.viewport, Qt::LeftButton, {}, {100, 100});
+    QTest::mouseMove(&sample.viewport, {160, 100});
+    QTest::mouseRelease(&sample.viewport, Qt::LeftButton, {}, {160, 100});
+    QVERIFY(glm::distance(place(), {0.0, 0.0, held}) < 1e-6);
+    QVERIFY(std::abs(sample.viewport.camera().worldFromCamera[2].x) > 0.05);
+    // along the face, past its end
+    for (int i = 0; i < 60; ++i) {
+        sample.press(Qt::Key_Plus);
+    }
+    QVERIFY(std::abs(place().x) > 1.5);
+    QVERIFY(place().z < -1.4 || std::abs(place().x) > 1.5);
+    // what pulls lets it fall, and an end of walking ends that
+    sample.action(QStringLiteral("Gravity While Walking"))->setChecked(true);
+    QVERIFY(QTest::qWaitFor([&] { return place().y < -1.0; }, 60'000));
+    sample.press(Qt::Key_V);
+    const glm::dvec3 there = place();
+    QTest::qWait(100);
+    QVERIFY(place() == there);
 }
 
 /// A window in which nothing falls has no simulation, and does nothing.

@@ -13,6 +13,7 @@ class TestSliding : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void anEdgeHoldsNothingBack();
     void onASlopeItIsTheClosedForm_data();
     void onASlopeItIsTheClosedForm();
     void coplanarFacesAndCopiesDoNotBump_data();
@@ -23,6 +24,29 @@ private Q_SLOTS:
     void roundABowlEnergyIsKept();
     void fastBallsSlideInFewQueries();
 };
+
+/// Where a ball stands right over an edge it touches in two directions that hardly differ.
+void TestSliding::anEdgeHoldsNothingBack()
+{
+    Ground ground(boxMesh(1));
+    for (const double before : {1e-2, 1e-3, 1e-4, 1e-5, 2e-6, 1e-6, 1e-7, 1e-9, 0.0, -1e-6, -1e-3}) {
+        for (const double restitution : {0.0, 0.5}) {
+            for (const double timeStep : {1.0 / 60.0, 1.0 / 240.0}) {
+                BallState ball;
+                ball.position = {1.0 - before, 1.250011, 0.0};
+                ball.radius = 0.25;
+                ball.restitution = restitution;
+                ball.velocity = {1.2, 0.0, 0.0};
+                Laws laws;
+                laws.timeStep = timeStep;
+                const StepReport report = stepBall(ball, laws, ground.probe, timeStep);
+                QVERIFY(!report.isExhausted);
+                QVERIFY2(ball.velocity.x > 1.19, qPrintable(QString::number(before)));
+                QVERIFY(ball.position.x > 1.0 - before + 0.99 * 1.2 * timeStep);
+            }
+        }
+    }
+}
 
 void TestSliding::onASlopeItIsTheClosedForm_data()
 {
