@@ -27,11 +27,6 @@ void addBalls(World &world, int count, double half)
     }
 }
 
-Ground spongeInABox()
-{
-    return Ground({{.model = modelOf(QStringLiteral("menger"), 4)}, {.model = modelOf(boxMesh(3))}});
-}
-
 }
 
 class TestWorld : public QObject
@@ -40,6 +35,7 @@ class TestWorld : public QObject
 
 private Q_SLOTS:
     void anyNumberOfThreadsComesToTheSame();
+    void stepsAreTheSameBytesEverywhere_data();
     void stepsAreTheSameBytesEverywhere();
     void theHashTellsStatesApart();
     void surfacesAreSwappedUnderBalls();
@@ -73,17 +69,56 @@ void TestWorld::anyNumberOfThreadsComesToTheSame()
     }
 }
 
+void TestWorld::stepsAreTheSameBytesEverywhere_data()
+{
+    QTest::addColumn<std::vector<SceneItem>>("items");
+    QTest::addColumn<ColliderKind>("kind");
+    QTest::addColumn<World::Options>("options");
+    QTest::addColumn<double>("half");
+    QTest::addColumn<QString>("hash");
+    const auto row = [](const char *name, const std::vector<SceneItem> &items, const char *hash,
+                        ColliderKind kind = ColliderKind::Exact, const World::Options &options = {.threads = 1},
+                        double half = 2) { QTest::newRow(name) << items << kind << options << half << QString(hash); };
+    const SceneItem box{.model = modelOf(boxMesh(3))};
+    const auto menger = modelOf(QStringLiteral("menger"), 4);
+    const std::vector<SceneItem> turned{box,
+                                        {.model = modelOf(QStringLiteral("tree"), 7),
+                                         .worldFromModel = mapFromParts({-1, -1, 0}, {20, -30, 40}, {1, 1, 1})},
+                                        {.model = modelOf(QStringLiteral("two-sets"), 3),
+                                         .worldFromModel = mapFromParts({1, 0, 0.5}, {-77, 5, 111}, {0.4, 0.5, 0.6})}};
+    row("a sponge", {{.model = menger}, box}, "24b700d9b053de80", ColliderKind::Exact,
+        {.shrinkRate = 0.1, .threads = 1});
+    row("turned fractals", turned, "88737efdaf9abd99");
+    row("turned fractals, approximately", turned, "f0daf84cb270edc0", ColliderKind::Approximate);
+    row("turned fractals, written out", turned, "f04fba61fd34810f", ColliderKind::Bvh);
+    row("copy after copy", {{.model = modelOf(QStringLiteral("menger"), 1)}, box}, "790b8d42956d1114",
+        ColliderKind::Simple);
+    row("turned fractals, greedily", turned, "3b02192d6e503f31", ColliderKind::Greedy);
+    row("turned fractals, in an octree", turned, "7a08ef5842317d01", ColliderKind::Octree);
+    row("12 levels", {{.model = modelOf(QStringLiteral("menger"), 12)}, box}, "a6280c8e8c3b1799");
+    row("a pile",
+        {{.model = modelOf(boxMesh(0.2)), .worldFromModel = mapFromParts({0, 2.5, 0}, {5, 0, 15}, {1, 1, 1})}},
+        "45877c4e4ed9dbb4", ColliderKind::Exact, {.threads = 1}, 0.12);
+    row("as in the dissertation", turned, "ff56c711172e406a", ColliderKind::Exact,
+        {.isAsInDissertation = true, .threads = 1});
+}
+
 /// By every compiler, however it optimises, and with every set of instructions: the number stands here.
 void TestWorld::stepsAreTheSameBytesEverywhere()
 {
-    Ground ground = spongeInABox();
+    QFETCH(const std::vector<SceneItem>, items);
+    QFETCH(const ColliderKind, kind);
+    QFETCH(const World::Options, options);
+    QFETCH(const double, half);
+    QFETCH(const QString, hash);
+    Ground ground(items, kind, kind == ColliderKind::Approximate ? 0.01 : 0.0);
     const std::size_t sets = withEveryInstructionSet([&] {
-        World world(ground.surface, {.shrinkRate = 0.1, .threads = 1});
-        addBalls(world, 100, 2);
+        World world(ground.surface, options);
+        addBalls(world, 100, half);
         for (int step = 0; step < 600; ++step) {
             world.step();
         }
-        QCOMPARE(QString::number(world.stateHash(), 16), QStringLiteral("24b700d9b053de80"));
+        QCOMPARE(QString::number(world.stateHash(), 16), hash);
     });
     QVERIFY(sets > 0);
 }
