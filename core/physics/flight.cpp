@@ -57,7 +57,8 @@ Chord chordOf(const glm::dvec3 &v, const glm::dvec3 &a, double time)
 double timeForward(const glm::dvec3 &v, const glm::dvec3 &a, double time)
 {
     const double pull = glm::dot(v, a);
-    const bool turns = pull < 0.0 && glm::dot(v + time * a, v + 0.5 * time * a) < 0.0;
+    const glm::dvec3 along = v + 0.5 * time * a;
+    const bool turns = pull < 0.0 && (glm::dot(v, along) < 0.0 || glm::dot(v + time * a, along) < 0.0);
     return turns ? std::min(time, -pull / glm::dot(a, a)) : time;
 }
 

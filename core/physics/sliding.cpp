@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -76,8 +77,9 @@ private:
     {
         const double against = glm::dot(m_ball.velocity, m_pull);
         const double time = m_step.left();
-        const bool turns =
-            against < 0.0 && glm::dot(m_ball.velocity + time * m_pull, m_ball.velocity + 0.5 * time * m_pull) < 0.0;
+        const glm::dvec3 along = m_ball.velocity + 0.5 * time * m_pull;
+        const bool turns = against < 0.0
+            && (glm::dot(m_ball.velocity, along) < 0.0 || glm::dot(m_ball.velocity + time * m_pull, along) < 0.0);
         return turns ? std::min(time, -against / glm::dot(m_pull, m_pull)) : time;
     }
 
@@ -101,6 +103,7 @@ private:
                 continue;
             }
             m_step.advance(time, m_pull, length);
+            m_hasLanded = false;
             m_step.setClearance(m_step.radius() + stand);
             m_step.measure(2.0 * m_step.skin());
             const bool isLost = !m_step.isTouching();
@@ -137,6 +140,7 @@ private:
                 withEnergy(m_ball.velocity + spent * m_pull, square + 2.0 * share * glm::dot(m_pull, way));
             m_step.advanceTo(m_ball.position + share * way, velocity, spent);
             m_step.setClearance(radius);
+            m_hasLanded = false;
         }
         m_step.measure(2.0 * m_step.skin());
         if (!m_step.isTouching()) {
@@ -146,7 +150,8 @@ private:
         m_step.pushOut();
         const unsigned contacts = m_step.report().contacts;
         land(m_step);
-        const bool hasLanded = m_step.report().contacts > contacts;
+        // what it lies against answers again and again
+        const bool hasLanded = m_step.report().contacts > contacts && !std::exchange(m_hasLanded, true);
         // It goes away from what it touched and is pulled back to it on the way.
         const bool isPulledBack = !hasLanded && !settle(m_step);
         m_longest = isPulledBack ? shorter * time : std::numeric_limits<double>::infinity();
@@ -193,6 +198,8 @@ private:
     BallStep &m_step;
     BallState &m_ball;
     glm::dvec3 m_pull{0.0};
+    /// Where it is.
+    bool m_hasLanded = false;
     /// What is tried next.
     double m_longest = std::numeric_limits<double>::infinity();
 };
