@@ -69,6 +69,7 @@ void addRow(QFormLayout &form, const QString &words, std::initializer_list<QWidg
     row->addStretch(1);
     auto *label = new QLabel(words);
     label->setBuddy(*parts.begin());
+    label->setContentsMargins(0, 0, 4, 0); // or its last letter is cut
     form.addRow(label, row);
 }
 

@@ -99,7 +99,7 @@ QWidget *PhysicsFigures::makeList()
     m_list->setToolTip(tr("Those that are selected stand out in the picture"));
     m_list->verticalHeader()->hide();
     m_list->verticalHeader()->setDefaultSectionSize(m_list->fontMetrics().height() + 4);
-    m_list->horizontalHeader()->setDefaultSectionSize(64);
+    m_list->horizontalHeader()->setDefaultSectionSize(54);
     m_list->horizontalHeader()->setStretchLastSection(true);
     m_list->setMinimumWidth(180);
     m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);

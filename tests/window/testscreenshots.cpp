@@ -9,6 +9,7 @@
 #include <QWindow>
 
 #include "app/window/addresspane.h"
+#include "app/window/ballmodel.h"
 #include "app/window/exportdialog.h"
 #include "app/window/preferences.h"
 #include "editor/completionpopup.h"
@@ -81,6 +82,7 @@ private Q_SLOTS:
     void address();
     void exporting();
     void scene();
+    void physics();
     void dark();
 };
 
@@ -145,6 +147,24 @@ void TestScreenshots::scene()
     scenery.drawn = 0;
     QVERIFY(scenery.waitForPicture());
     QVERIFY(scenery.keep(QStringLiteral("scene")));
+}
+
+void TestScreenshots::physics()
+{
+    Scenery scenery;
+    QVERIFY(scenery.window.openFile(QStringLiteral(":/examples/terrain.sdo")));
+    scenery.drawn = 0;
+    QVERIFY(scenery.waitForPicture());
+    scenery.window.findChild<QDockWidget *>(QStringLiteral("physics"))->raise();
+    scenery.trigger(QStringLiteral("Rain"));
+    scenery.trigger(QStringLiteral("Rain"));
+    const auto *balls = scenery.window.findChild<BallModel *>();
+    QVERIFY(QTest::qWaitFor([&] { return balls->rowCount() == 204; }, 20'000));
+    // a while later they are everywhere
+    QTest::qWait(1'000);
+    scenery.trigger(QStringLiteral("Play"));
+    QVERIFY(scenery.waitForPicture());
+    QVERIFY(scenery.keep(QStringLiteral("physics")));
 }
 
 void TestScreenshots::dark()
