@@ -183,6 +183,7 @@ void MainWindow::connectPanels()
             [this](const QString &words) { m_status->showMessage(words); });
 
     m_panels.physics().choices().addActions(m_physicsActions, *m_actions.dropBalls);
+    connect(m_physics, &PhysicsController::colliderChanged, m_status, &StatusLine::setCollider);
     connect(m_physics, &PhysicsController::told, m_status,
             [this](const QString &words) { m_status->showMessage(words, 5000); });
 

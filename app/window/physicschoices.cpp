@@ -15,6 +15,8 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "core/physics/scenephysics.h"
+
 namespace romanesco {
 
 namespace {
@@ -159,7 +161,12 @@ QWidget *PhysicsChoices::makeRules()
     m_radius = makeNumber(1e-3, 100.0, 2.0, 3, tr("Radius"));
     m_radius->setSuffix(tr(" %"));
     m_radius->setToolTip(tr("Of the balls that are dropped: a share of the scene's size"));
-    addRow(*form, tr("&Radius"), {m_radius});
+    m_colour = new QComboBox;
+    m_colour->setAccessibleName(tr("Colour"));
+    m_colour->setToolTip(tr("Of the balls that are dropped"));
+    // in the order of ballColours
+    m_colour->addItems({tr("In turn"), tr("Orange"), tr("Sky"), tr("Green"), tr("Yellow"), tr("Red"), tr("Pink")});
+    addRow(*form, tr("&Radius"), {m_radius, m_colour});
     addBounce(*form);
     addGravity(*form);
     m_shrink = makeNumber(0.0, 100.0, 0.0, 3, tr("Shrinking"));
@@ -254,6 +261,13 @@ SceneCollider::Options PhysicsChoices::collider() const
     return {static_cast<ColliderKind>(m_collider->currentIndex()), m_tolerance->value()};
 }
 
+QString PhysicsChoices::promise() const
+{
+    return provesClearance(collider().kind) && !m_asInDissertation->isChecked()
+        ? tr("%1 · no ball goes through").arg(m_collider->currentText())
+        : tr("%1 · balls may go through").arg(m_collider->currentText());
+}
+
 double PhysicsChoices::speed() const
 {
     return std::pow(10.0, double(m_speed->value()) / speedSteps);
@@ -265,6 +279,11 @@ Ball PhysicsChoices::ball(double sceneSize) const
     ball.radius = 0.01 * m_radius->value() * sceneSize;
     ball.restitution = m_restitution->value();
     return ball;
+}
+
+unsigned PhysicsChoices::colour() const
+{
+    return static_cast<unsigned>(m_colour->currentIndex());
 }
 
 int PhysicsChoices::rainCount() const

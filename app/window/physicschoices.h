@@ -34,10 +34,14 @@ public:
 
     [[nodiscard]] World::Options rules() const;
     [[nodiscard]] SceneCollider::Options collider() const;
+    /// Which collider, and whether balls may go through by it: "exact · no ball goes through".
+    [[nodiscard]] QString promise() const;
     /// Simulated seconds for each that goes by.
     [[nodiscard]] double speed() const;
     /// What is dropped in a scene of that size, at the origin.
     [[nodiscard]] Ball ball(double sceneSize) const;
+    /// The number of one of ballColours, from 1; 0 for one after another.
+    [[nodiscard]] unsigned colour() const;
     [[nodiscard]] int rainCount() const;
 
 Q_SIGNALS:
@@ -59,6 +63,7 @@ private:
     QSlider *m_speed;
     QLabel *m_speedWords;
     QDoubleSpinBox *m_radius;
+    QComboBox *m_colour;
     QComboBox *m_material;
     QDoubleSpinBox *m_restitution;
     QSpinBox *m_rainCount;

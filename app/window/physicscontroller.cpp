@@ -53,7 +53,7 @@ PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane 
     m_dropper.setDrop(
         [this] { return BallDropper::Drop{m_choices.ball(sceneSize()), m_choices.rules().laws.gravity}; });
     connect(&m_dropper, &BallDropper::dropped, this, [this](const Ball &ball) {
-        m_simulation.drop({ball});
+        m_simulation.drop({ball}, m_choices.colour());
         // Who holds balls where they are may place others among them.
         if (!m_frame->isStarted) {
             m_simulation.play();
@@ -140,7 +140,8 @@ void PhysicsController::rain()
 {
     if (m_scene) {
         m_simulation.drop(rainOver(m_scene->extent, m_choices.rules().laws.gravity, m_choices.ball(sceneSize()),
-                                   static_cast<std::size_t>(m_choices.rainCount()), m_rains++));
+                                   static_cast<std::size_t>(m_choices.rainCount()), m_rains++),
+                          m_choices.colour());
         m_simulation.play();
     }
 }
@@ -172,6 +173,7 @@ void PhysicsController::takeFrame()
         showBalls();
     }
     m_pane.figures().show(m_frame);
+    Q_EMIT colliderChanged(m_frame->isStarted ? m_choices.promise() : QString());
 }
 
 void PhysicsController::showBalls()
@@ -185,9 +187,9 @@ void PhysicsController::showBalls()
     std::vector<BallSprite> sprites;
     sprites.reserve(m_frame->balls.size());
     for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
+        const auto own = ball.mark == 0 ? ballColour(ball.number) : ballColour(ball.mark - 1);
         const bool isSelected = std::ranges::binary_search(m_selected, ball.number);
-        sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius,
-                           isSelected ? selectedColour : ballColour(ball.number)});
+        sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius, isSelected ? selectedColour : own});
     }
     follow(sprites);
     m_viewport.setBalls(std::move(sprites));

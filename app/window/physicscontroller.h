@@ -47,6 +47,8 @@ public:
 Q_SIGNALS:
     /// In a line.
     void told(const QString &words);
+    /// Which collider balls fall by, and what it promises, in short; empty where none are there.
+    void colliderChanged(const QString &words);
 
 private:
     void connectActions();

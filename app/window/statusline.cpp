@@ -27,6 +27,7 @@ StatusLine::StatusLine(QWidget *parent)
     , m_place(makeLabel(tr("Cursor")))
     , m_summary(makeLabel(tr("The fractal as written")))
     , m_depth(makeLabel(tr("Depth")))
+    , m_collider(makeLabel(tr("Collider")))
     , m_drawn(makeLabel(tr("Drawn")))
 {
     // Long numbers must not hold the window open.
@@ -34,7 +35,9 @@ StatusLine::StatusLine(QWidget *parent)
     addWidget(m_place);
     addWidget(m_summary, 1);
     addPermanentWidget(m_depth);
+    addPermanentWidget(m_collider);
     addPermanentWidget(m_drawn);
+    m_collider->hide();
 }
 
 void StatusLine::setCursorPlace(int line, int column)
@@ -52,6 +55,12 @@ void StatusLine::setSummary(const std::optional<Summary> &summary)
 void StatusLine::setDepth(std::optional<quint64> depth)
 {
     m_depth->setText(depth ? tr("depth %1").arg(QLocale().toString(*depth)) : QString());
+}
+
+void StatusLine::setCollider(const QString &words)
+{
+    m_collider->setText(words);
+    m_collider->setVisible(!words.isEmpty());
 }
 
 void StatusLine::setDrawn(const DrawStatistics &statistics, double pixelTolerance)

@@ -24,6 +24,8 @@ public:
     void setCursorPlace(int line, int column);
     void setSummary(const std::optional<Summary> &summary);
     void setDepth(std::optional<quint64> depth);
+    /// How the surface is searched for balls, and whether they may go through; empty while none are there.
+    void setCollider(const QString &words);
     void setDrawn(const DrawStatistics &statistics, double pixelTolerance);
     /// Nothing is drawn.
     void clearDrawn();
@@ -32,6 +34,7 @@ private:
     QLabel *m_place;
     QLabel *m_summary;
     QLabel *m_depth;
+    QLabel *m_collider;
     QLabel *m_drawn;
 };
 

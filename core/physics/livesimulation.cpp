@@ -164,11 +164,12 @@ public:
         m_replay.reset();
         m_remark.clear();
         m_numbers.clear();
+        m_marks.clear();
         m_before.clear();
         m_figures = {};
     }
 
-    void drop(const std::vector<Ball> &balls)
+    void drop(const std::vector<Ball> &balls, unsigned mark)
     {
         m_replay.reset();
         if (!start()) {
@@ -176,8 +177,7 @@ public:
         }
         for (const Ball &ball : balls) {
             apply(ball);
-            m_numbers.push_back(m_nextNumber++);
-            m_before.push_back(ball.position);
+            add(ball.position, mark);
         }
     }
 
@@ -190,8 +190,7 @@ public:
         m_replay.reset();
         const auto at = found - m_numbers.begin();
         if (apply(Recording::Removal{static_cast<std::size_t>(at)})) {
-            m_numbers.erase(found);
-            m_before.erase(m_before.begin() + at);
+            forget(at);
         }
     }
 
@@ -308,13 +307,24 @@ private:
             return;
         }
         if (const auto *ball = std::get_if<Ball>(&input.what)) {
-            m_numbers.push_back(m_nextNumber++);
-            m_before.push_back(ball->position);
+            add(ball->position, 0);
         } else if (const auto *removal = std::get_if<Recording::Removal>(&input.what)) {
-            const auto at = static_cast<std::ptrdiff_t>(removal->ball);
-            m_numbers.erase(m_numbers.begin() + at);
-            m_before.erase(m_before.begin() + at);
+            forget(static_cast<std::ptrdiff_t>(removal->ball));
         }
+    }
+
+    void add(const glm::dvec3 &position, unsigned mark)
+    {
+        m_numbers.push_back(m_nextNumber++);
+        m_marks.push_back(mark);
+        m_before.push_back(position);
+    }
+
+    void forget(std::ptrdiff_t at)
+    {
+        m_numbers.erase(m_numbers.begin() + at);
+        m_marks.erase(m_marks.begin() + at);
+        m_before.erase(m_before.begin() + at);
     }
 
     /// Whether there is a simulation, now at the latest.
@@ -337,8 +347,7 @@ private:
         m_nextNumber = 0;
         m_ownBalls = m_simulation->world().balls().size();
         for (const BallState &ball : m_simulation->world().balls()) {
-            m_numbers.push_back(m_nextNumber++);
-            m_before.push_back(ball.position);
+            add(ball.position, 0);
         }
         return true;
     }
@@ -435,7 +444,7 @@ private:
                 const BallState &ball = world.balls()[i];
                 const unsigned contacts = world.reports()[i].contacts;
                 frame.contacts += contacts;
-                frame.balls.push_back({m_numbers[i], m_before[i], ball.position, ball.velocity, ball.radius,
+                frame.balls.push_back({m_numbers[i], m_marks[i], m_before[i], ball.position, ball.velocity, ball.radius,
                                        ball.restitution, contacts, ball.isAsleep});
             }
         }
@@ -471,6 +480,7 @@ private:
     std::string m_remark;
     /// Beside the balls.
     std::vector<std::uint64_t> m_numbers;
+    std::vector<unsigned> m_marks;
     std::vector<glm::dvec3> m_before;
     std::uint64_t m_nextNumber = 0;
     std::size_t m_ownBalls = 0;
@@ -548,9 +558,9 @@ void LiveSimulation::reset()
     m_worker->give(&Worker::reset);
 }
 
-void LiveSimulation::drop(std::vector<Ball> balls)
+void LiveSimulation::drop(std::vector<Ball> balls, unsigned mark)
 {
-    m_worker->give([balls = std::move(balls)](Worker &worker) { worker.drop(balls); });
+    m_worker->give([balls = std::move(balls), mark](Worker &worker) { worker.drop(balls, mark); });
 }
 
 void LiveSimulation::remove(std::uint64_t number)

@@ -30,6 +30,8 @@ public:
     struct BallFrame {
         /// Its own as long as it lives; those of the scene are counted from 0.
         std::uint64_t number = 0;
+        /// What drop() was told; 0 for the scene's own.
+        unsigned mark = 0;
         /// The centre at the last step but one, and at the last.
         glm::dvec3 before{0.0};
         glm::dvec3 after{0.0};
@@ -105,7 +107,8 @@ public:
     void step();
     /// To the scene's start; nothing plays.
     void reset();
-    void drop(std::vector<Ball> balls);
+    /// mark is for whoever looks at frames, such as a colour.
+    void drop(std::vector<Ball> balls, unsigned mark = 0);
     void remove(std::uint64_t number);
     /// What was recorded so far is told on the thread; the error is a sentence.
     void record(std::function<void(std::expected<Recording, std::string>)> told);

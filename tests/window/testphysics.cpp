@@ -200,6 +200,13 @@ void TestPhysics::aClickDropsABall()
     QVERIFY(ball);
     QCOMPARE(ball->number, 1U);
     QVERIFY(std::abs(ball->after.z - (-1.5 - 1.02 * 0.06)) < 1e-6);
+    // of the colour that was chosen: the third after orange and sky comes in turn, so it is wished for
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.isPictureFinished(); }, 60'000));
+    const int before = sample.orangePixels();
+    sample.named<QComboBox>(QStringLiteral("Colour"))->setCurrentText(QStringLiteral("Orange"));
+    QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, sample.pixelOf(-0.5, 0.0));
+    QVERIFY(sample.waitForBalls(3));
+    QVERIFY(sample.orangePixels() > before);
 }
 
 void TestPhysics::besideTheSurfaceNothingIsDropped()
@@ -293,12 +300,15 @@ void TestPhysics::collidersTellTheirPromise()
         QVERIFY(promise().contains(QLatin1String("Balls may go through")));
     }
     // and what they promise is true
+    const auto &status = *sample.named<QLabel>(QStringLiteral("Collider"));
+    QVERIFY(!status.isVisible());
     for (const auto *name : {"approximate", "bvh", "simple", "exact"}) {
         collider.setCurrentText(QLatin1String(name));
         sample.press(Qt::Key_Backspace);
         QVERIFY(sample.waitForBalls(0));
         sample.press(Qt::Key_Space);
         QVERIFY2(sample.waitForRest(0), name);
+        QCOMPARE(status.text(), QStringLiteral("%1 · no ball goes through").arg(QLatin1String(name)));
     }
 }
 
@@ -394,9 +404,9 @@ void TestPhysics::droppedBallsGetAMesh()
     QCOMPARE(Sample::read(other), QByteArray("v 0 0 0\n"));
     QVERIFY(QFile::exists(sample.path(QStringLiteral("ball-2.obj"))));
     // and they fall from there
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().surroundings()->scene->items.size() == 4U; }, 60'000));
     sample.press(Qt::Key_Backspace);
     QVERIFY(sample.waitForBalls(0));
-    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.isPictureFinished(); }, 60'000));
     sample.press(Qt::Key_Period);
     QVERIFY(sample.waitForBalls(3));
     QVERIFY(sample.strip().isEmpty());

@@ -211,12 +211,15 @@ void TestLiveSimulation::ballsComeAndGo()
 {
     LiveSimulation live([] { });
     live.startScene(ballInABox(0.0));
-    live.drop({ballAt({0.3, 0.0, 0.0}), ballAt({-0.3, 0.0, 0.0})});
+    live.drop({ballAt({0.3, 0.0, 0.0}), ballAt({-0.3, 0.0, 0.0})}, 5);
     QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.balls.size() == 3U; }));
+    QCOMPARE(live.newest()->balls[0].mark, 0U);
+    QCOMPARE(live.newest()->balls[2].mark, 5U);
     live.remove(1);
     live.remove(77);
     QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.balls.size() == 2U; }));
     QCOMPARE(live.newest()->balls[1].number, 2U);
+    QCOMPARE(live.newest()->balls[1].mark, 5U);
     QCOMPARE(live.newest()->balls[1].after.x, -0.3);
     live.drop({ballAt({0.0, 0.5, 0.0})});
     QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.balls.size() == 3U; }));
