@@ -220,6 +220,7 @@ void TestLiveSimulation::ballsComeAndGo()
     QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.balls.size() == 2U; }));
     QCOMPARE(live.newest()->balls[1].number, 2U);
     QCOMPARE(live.newest()->balls[1].mark, 5U);
+    QCOMPARE(live.newest()->balls[0].after.x, 0.0);
     QCOMPARE(live.newest()->balls[1].after.x, -0.3);
     live.drop({ballAt({0.0, 0.5, 0.0})});
     QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.balls.size() == 3U; }));
