@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QTest>
 
+#include "core/physics/ballpairs.h"
 #include "core/physics/world.h"
 #include "tests/core/physics/grounds.h"
 #include "tests/testmain.h"
@@ -57,6 +58,7 @@ class TestBallPairs : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void nearPairsAreAllThatMayMeet();
     void twoBallsAreTheClosedForm();
     void fastBallsDoNotPassThroughEachOther();
     void aRowPassesABlowOn();
@@ -66,6 +68,47 @@ private Q_SLOTS:
     void aHeapComesToRest();
     void anyNumberOfThreadsComesToTheSame();
 };
+
+/// Of all sizes, near and far, beside one another, in one another and at one place: as looking at all pairs finds.
+void TestBallPairs::nearPairsAreAllThatMayMeet()
+{
+    std::mt19937_64 random(11);
+    const Laws laws;
+    std::size_t found = 0;
+    for (int round = 0; round < 60; ++round) {
+        const double half = std::pow(10.0, uniform(random, -3, 3));
+        const glm::dvec3 middle = round % 3 == 0 ? glm::dvec3(0) : randomPoint(random, round % 3 == 1 ? 100 : 1e17);
+        std::vector<BallState> balls;
+        for (int i = 0; i < 150; ++i) {
+            BallState ball =
+                ballAt(middle + randomPoint(random, half), half * std::pow(10.0, uniform(random, -3, -0.5)));
+            ball.velocity = randomPoint(random, half * std::pow(10.0, uniform(random, -2, 2)));
+            ball.isAsleep = random() % 4 == 0;
+            ball.isPiled = random() % 4 == 0;
+            balls.push_back(i % 10 == 9 ? balls.back() : ball);
+        }
+        std::vector<BallPair> expected;
+        for (std::size_t i = 0; i < balls.size(); ++i) {
+            for (std::size_t k = i + 1; k < balls.size(); ++k) {
+                const auto way = [&](const BallState &ball) {
+                    return ball.isAsleep ? 0.0 : glm::length(ball.velocity) * 0.01 + 0.5 * 9.8 * 1e-4;
+                };
+                const double reach = 1.001 * (balls[i].radius + balls[k].radius) + way(balls[i]) + way(balls[k]);
+                const bool counts = !balls[i].isAsleep || !balls[k].isAsleep || (balls[i].isPiled && balls[k].isPiled);
+                const double distance = glm::distance(balls[i].position, balls[k].position);
+                if (counts && distance <= reach * (1 - 1e-12)) {
+                    expected.push_back({i, k});
+                }
+            }
+        }
+        const std::vector<BallPair> pairs = nearPairs(balls, laws, 0.01);
+        QVERIFY(std::ranges::includes(pairs, expected));
+        QVERIFY(std::ranges::adjacent_find(pairs) == pairs.end());
+        QVERIFY(pairs.size() <= expected.size() + 1);
+        found += expected.size();
+    }
+    QVERIFY(found > 10'000);
+}
 
 /// Two in space, of any sizes, restitutions and speeds, that meet off their middles within one step or later.
 void TestBallPairs::twoBallsAreTheClosedForm()
