@@ -24,6 +24,15 @@ struct Ball {
 struct BallState : Ball {
     /// No point of the surface is nearer to the centre; 0 where that is not known.
     double clearance = 0.0;
+    /// How its flight goes on, where that is known.
+    struct Foresight {
+        /// For so long it touches no surface, if it flies on from here with this velocity; 0 where nothing is known.
+        double time = 0.0;
+        glm::dvec3 velocity{0.0};
+        /// Whether it comes near one then; else no more is known.
+        bool endsNear = false;
+    };
+    Foresight foresight = {};
     /// What holds it up, and where it slides along.
     Supports supports = {};
     /// It rests: nothing moves it until something that it touches changes.

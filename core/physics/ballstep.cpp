@@ -94,6 +94,7 @@ void BallStep::moveTo(const glm::dvec3 &position, double distance)
 {
     m_ball.position = position;
     m_ball.clearance = std::max(0.0, m_ball.clearance - distance - m_rounding);
+    m_ball.foresight.time = 0.0;
     m_isMeasured = false;
 }
 

@@ -19,6 +19,9 @@ namespace {
 constexpr double shortWay = 4.0;
 /// What is measured lasts for so many steps.
 constexpr double reachInWays = 8.0;
+/// Steps that are swept at once, where the chord of so many bends by no more than this, of the radius.
+constexpr double stepsAhead = 8.0;
+constexpr double mostSag = 0.1;
 /// Of the skin, where sweeps stop.
 constexpr double standOff = 0.5;
 /// A chord that ends a little beyond the plane that is fallen on.
@@ -95,10 +98,10 @@ public:
 
     void run()
     {
-        if (isFree()) {
+        if (isFree() || isForeseen()) {
             return;
         }
-        if (pathFor(m_step.left()) <= shortWay * m_step.radius() && look()) {
+        if (!goToForeseen() && pathFor(m_step.left()) <= shortWay * m_step.radius() && look()) {
             return;
         }
         while (m_step.left() > 0.0 && m_ball.supports.isEmpty() && !m_step.probe().isExhausted()) {
@@ -129,6 +132,56 @@ private:
         return true;
     }
 
+    /// How long the way that was swept in a step before is free from here.
+    [[nodiscard]] double foreseenTime() const
+    {
+        return m_ball.foresight.velocity == m_ball.velocity ? m_ball.foresight.time : 0.0;
+    }
+
+    /// Goes to the end where that is known to be free.
+    bool isForeseen()
+    {
+        const double time = foreseenTime();
+        if (time < m_step.left()) {
+            return false;
+        }
+        goFree(time, m_step.radius(), m_ball.foresight.endsNear);
+        return true;
+    }
+
+    /// Goes as far as is known to be free, to what is touched next. Whether there is such a thing.
+    bool goToForeseen()
+    {
+        const double time = foreseenTime();
+        if (time <= 0.0 || !m_ball.foresight.endsNear) {
+            return false;
+        }
+        advance(time, pathFor(time));
+        m_step.setClearance(m_step.radius());
+        arrive(mostSag * m_step.radius());
+        (void)landsOrStands();
+        return true;
+    }
+
+    /// At what may be touched next, from within a gap.
+    void arrive(double gap)
+    {
+        m_step.measure(gap + 2.0 * m_step.skin());
+        m_isNear = m_step.hasDirection() && !m_step.isTouching();
+        m_looksAhead = false;
+    }
+
+    /// To the end of the step, and on for a time that is free from here and no less.
+    void goFree(double time, double radius, bool endsNear)
+    {
+        const double left = m_step.left();
+        advance(left, pathFor(left));
+        m_step.setClearance(radius);
+        if (m_step.radius() == m_ball.radius) { // else it is smaller in this step alone
+            m_ball.foresight = {time - left, m_ball.velocity, endsNear};
+        }
+    }
+
     void advance(double time, double path) { m_step.advance(time, m_gravity, path); }
 
     /// Asks what is near. Whether the ball has gone on, or has landed where it is.
@@ -147,6 +200,7 @@ private:
         m_step.pushOut();
         if (!std::exchange(m_hasLanded, true)) {
             land(m_step);
+            m_looksAhead = true;
         }
         return !m_ball.supports.isEmpty();
     }
@@ -154,11 +208,16 @@ private:
     /// The longest chord that the ball can be swept along from where it is.
     [[nodiscard]] Chord nextChord(double growth) const
     {
-        double time = timeForward(m_ball.velocity, m_gravity, std::min(m_step.left(), m_longest));
+        const double ahead = m_looksAhead ? stepsAhead * m_step.laws().timeStep : 0.0;
+        double time = timeForward(m_ball.velocity, m_gravity, std::min(std::max(m_step.left(), ahead), m_longest));
         if (m_isNear) {
             time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_step.room()));
         }
         Chord chord = chordOf(m_ball.velocity, m_gravity, time);
+        while (chord.time > m_step.left() && chord.sag > mostSag * m_step.radius()) {
+            time = std::max(0.7 * time, m_step.left());
+            chord = chordOf(m_ball.velocity, m_gravity, time);
+        }
         for (int i = 0; i < mostShorter && growthOf(chord) > growth; ++i) {
             time *= std::clamp(0.9 * std::sqrt(growth / growthOf(chord)), 1e-3, 0.7);
             chord = chordOf(m_ball.velocity, m_gravity, time);
@@ -189,8 +248,14 @@ private:
         const double radius = m_step.radius() + stand;
         const double share = m_step.probe().freeShare(m_ball.position + 0.5 * chord.sag * chord.bend, chord.way,
                                                       radius + 0.5 * chord.sag);
+        const double time =
+            share < 1.0 ? timeAlong(chord, m_ball.velocity, m_gravity, share * chord.length) : chord.time;
+        if (time >= m_step.left()) {
+            goFree(time, radius, share < 1.0);
+            return true;
+        }
         if (share < 1.0) {
-            return goToTouch(chord, share, radius);
+            return goToTouch(chord, time, radius);
         }
         advance(chord.time, pathFor(chord.time));
         m_step.setClearance(radius);
@@ -202,17 +267,15 @@ private:
         return true;
     }
 
-    bool goToTouch(const Chord &chord, double share, double radius)
+    bool goToTouch(const Chord &chord, double time, double radius)
     {
-        const double time = timeAlong(chord, m_ball.velocity, m_gravity, share * chord.length);
         const bool hasMoved = time > 0.0;
         if (hasMoved) {
             advance(time, pathFor(time));
             m_step.setClearance(radius);
             m_hasLanded = m_isCautious = false;
         }
-        m_step.measure(chord.sag + 2.0 * m_step.skin());
-        m_isNear = m_step.hasDirection() && !m_step.isTouching();
+        arrive(chord.sag);
         m_longest = std::numeric_limits<double>::infinity();
         const bool hadLanded = m_hasLanded;
         if (landsOrStands() || hasMoved || m_hasLanded != hadLanded || !std::exchange(m_isCautious, true)) {
@@ -238,6 +301,8 @@ private:
     bool m_hasLanded = false;
     bool m_isNear = false;
     bool m_isCautious = false;
+    /// What is near is touched in short ways.
+    bool m_looksAhead = true;
     /// What is tried next.
     double m_longest = std::numeric_limits<double>::infinity();
 };

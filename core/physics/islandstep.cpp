@@ -114,6 +114,7 @@ private:
         state.position = last.positionAt(time);
         state.velocity = last.velocityAt(time);
         state.clearance = std::max(0.0, last.from.clearance - glm::distance(last.from.position, state.position));
+        state.foresight = {};
         last.time = time - last.start;
         return last.acceleration;
     }

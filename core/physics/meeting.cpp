@@ -105,6 +105,7 @@ void collide(BallState &one, BallState &other, double pull, double timeStep)
     if (pull > 0.0 && 2.0 * e * against < timeStep * pull * (1.0 - e)) {
         e = 0.0;
     }
+    one.foresight = other.foresight = {};
     // masses are as the cubes of the radii
     const double ratio = one.radius / other.radius;
     const double shareOfOne = 1.0 / (1.0 + ratio * ratio * ratio);

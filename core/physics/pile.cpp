@@ -192,8 +192,10 @@ private:
         still.gravity = glm::dvec3(0.0);
         const double restitution = std::exchange(state.restitution, 0.0);
         state.supports.clear();
+        state.foresight = {}; // of a flight under gravity
         const StepReport moved = stepBall(state, still, m_probe, m_laws.timeStep);
         state.restitution = restitution;
+        state.foresight = {};
         state.isAsleep = false;
         StepReport &report = m_reports[ball];
         count(ball);

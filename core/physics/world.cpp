@@ -76,6 +76,7 @@ void World::wake()
 {
     for (BallState &ball : m_balls) {
         ball.clearance = 0.0;
+        ball.foresight = {};
         ball.supports.clear();
         ball.isAsleep = false;
         ball.calmSteps = 0;
@@ -151,6 +152,9 @@ std::uint64_t World::stateHash() const
         hash.add(ball.radius);
         hash.add(ball.restitution);
         hash.add(ball.clearance);
+        hash.add(ball.foresight.time);
+        hash.add(ball.foresight.velocity);
+        hash.add(std::uint64_t{ball.foresight.endsNear});
         for (const glm::dvec3 &n : ball.supports.directions()) {
             hash.add(n);
         }

@@ -49,6 +49,8 @@ private Q_SLOTS:
     void aSlopeReflects();
     void stepsOfAnyLengthComeToTheSame();
     void aBouncingBallKeepsItsEnergy();
+    void aCeilingIsTouchedOnTheWayUp();
+    void aLongFlightIsSweptAtOnce();
     void nothingIsAskedWhereNothingIsNear();
     void oneSteppedByOneStaysInsideABox();
 };
@@ -176,6 +178,50 @@ void TestFlight::aBouncingBallKeepsItsEnergy()
         const double now = energyOf(ball, laws) + laws.gravity.y * radius;
         QVERIFY2(std::abs(now / energy - 1) < 1e-6, qPrintable(QString::number(now / energy - 1)));
     }
+}
+
+/// Also by a ball that is back below its start at the end of the step.
+void TestFlight::aCeilingIsTouchedOnTheWayUp()
+{
+    Ground ground(floorMesh(1));
+    Laws laws;
+    laws.timeStep = 0.1;
+    const double speed = 0.45;
+    const double room = 0.006;
+    BallState ball = ballAt({0, -0.1 - room, 0}, 0.1, 1, {0, speed, 0});
+    const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
+    QCOMPARE(report.contacts, 1u);
+    const double fast = std::sqrt(speed * speed - 2 * g * room);
+    const double rise = (speed - fast) / g;
+    const double fall = laws.timeStep - rise;
+    QVERIFY(std::abs(ball.velocity.y + fast + g * fall) < 1e-3);
+    QVERIFY(std::abs(ball.position.y + 0.1 + fast * fall + 0.5 * g * fall * fall) < 1e-4);
+}
+
+/// From a bounce to what it comes to next, with a ball whose way is much longer than itself: and no question is asked between.
+void TestFlight::aLongFlightIsSweptAtOnce()
+{
+    Ground ground(floorMesh(100));
+    Laws laws;
+    laws.gravity = glm::dvec3(0);
+    BallState ball = ballAt({0, 1, 0}, 0.001, 1, {2.4, -0.24, 0});
+    ball.position.y = 0.01;
+    unsigned queries = 0;
+    unsigned contacts = 0;
+    for (int step = 0; step < 24; ++step) {
+        const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
+        queries += report.queries;
+        contacts += report.contacts;
+        QVERIFY(ball.position.y >= 0.001 * (1 - 1e-9));
+    }
+    QCOMPARE(contacts, 1u);
+    QVERIFY2(queries <= 9, qPrintable(QString::number(queries)));
+    // another velocity is another flight
+    ball.velocity = {0, -24, 0};
+    ball.clearance = 0;
+    const double height = ball.position.y;
+    stepBall(ball, laws, ground.probe, laws.timeStep);
+    QVERIFY(std::abs(ball.position.y - (24 * laws.timeStep - (height - 0.001) + 0.001)) < 1e-6);
 }
 
 void TestFlight::nothingIsAskedWhereNothingIsNear()
