@@ -19,7 +19,6 @@ private Q_SLOTS:
     void coplanarFacesAndCopiesDoNotBump_data();
     void coplanarFacesAndCopiesDoNotBump();
     void aWallIsSlidAlong();
-    void aBallBouncesAtTheFootOfASlope();
     void alongAGrooveItIsTheClosedForm();
     void anEdgeLetsItFall();
     void roundABowlEnergyIsKept();
@@ -143,24 +142,6 @@ void TestSliding::aWallIsSlidAlong()
             QVERIFY(glm::distance(ball.position, start + glm::dvec3(0, -4.9 * t * t, 2 * t)) < 1e-9);
         }
         QVERIFY2(queries < 240 * 12, qPrintable(QString::number(queries)));
-    }
-}
-
-/// Against a wall, lower and lower, while it lies on the slope: bounces of less than a step are no trouble.
-void TestSliding::aBallBouncesAtTheFootOfASlope()
-{
-    for (const double slope : {0.1, 0.3, 1.0, 3.0}) {
-        Ground ground(grooveMesh(50, slope), mapFromParts({}, {0, 0, 30}, {1, 1, 1}));
-        for (const double restitution : {0.3, 0.7, 0.95}) {
-            Laws laws;
-            laws.timeStep = 1.0 / 60.0;
-            BallState ball = ballAt({-1, 1.5, 0}, 0.1, restitution);
-            for (int step = 0; step < 1200; ++step) {
-                const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
-                QVERIFY2(report.queries < 1000, qPrintable(QString::number(report.queries)));
-                QVERIFY(ground.distance(ball.position) >= 0.1 * (1 - 1e-3));
-            }
-        }
     }
 }
 
