@@ -177,7 +177,7 @@ private:
         const double left = m_step.left();
         advance(left, pathFor(left));
         m_step.setClearance(radius);
-        if (m_step.radius() == m_ball.radius) { // else it is smaller in this step alone
+        if (time > left && m_step.radius() == m_ball.radius) { // else it is smaller in this step alone
             m_ball.foresight = {time - left, m_ball.velocity, endsNear};
         }
     }
@@ -208,7 +208,9 @@ private:
     /// The longest chord that the ball can be swept along from where it is.
     [[nodiscard]] Chord nextChord(double growth) const
     {
-        const double ahead = m_looksAhead ? stepsAhead * m_step.laws().timeStep : 0.0;
+        // where nothing is proved nothing is foreseen
+        const double ahead =
+            m_looksAhead && m_step.probe().surface().isProved ? stepsAhead * m_step.laws().timeStep : 0.0;
         double time = timeForward(m_ball.velocity, m_gravity, std::min(std::max(m_step.left(), ahead), m_longest));
         if (m_isNear) {
             time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_step.room()));

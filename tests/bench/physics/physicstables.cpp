@@ -144,15 +144,16 @@ void PhysicsTables::writeCrowds(std::ostream &stream) const
     stream << "\nTwo sets of 7 in a tray of the same width, with a radius of 1 %: balls rain in and pile up on the "
               "fractal, "
               "among it and on\neach other, and nothing falls off (asked for: 1,000 that collide within real time). "
-              "*Touching*: share of the ball-steps\nof which something was touched.\n";
-    stream << head({"balls", "colliding: real time", "slowest", "CPU", "awake", "touching", "passing: real time",
+              "*Touching*: share of the ball-steps\nof which something was touched. A dash: left out of this run, "
+              "since it takes minutes.\n";
+    stream << head({"balls", "colliding: real time", "slowest", "CPU", "awake, %", "touching, %", "passing: real time",
                     "slowest", "CPU"});
     for (const std::size_t crowd : crowds) {
         const std::string solid = crowdRun("tray", crowd, true);
         std::vector<std::string> line{number(static_cast<double>(crowd))};
         addTo(line, solid);
-        line.push_back(number(figure(solid, "awake_%")) + " %");
-        line.push_back(number(figure(solid, "touching_%")) + " %");
+        line.push_back(number(figure(solid, "awake_%")));
+        line.push_back(number(figure(solid, "touching_%")));
         addTo(line, crowdRun("tray", crowd, false));
         stream << row(line);
     }
