@@ -16,12 +16,13 @@ namespace romanesco {
 namespace {
 
 constexpr int sweeps = 50;
+constexpr int sweepsOfOverlap = 30;
 constexpr int rounds = 6;
 constexpr double lean = 1e-6;
 /// Of the radius: where a ball comes to lie off a surface.
 constexpr double near = 5e-5;
 /// Of an overlap, what is taken out in a step.
-constexpr double correction = 0.2;
+constexpr double correction = 0.4;
 /// Of the speed that falling by half a radius gives: what is slower so many steps long falls asleep.
 constexpr double calmShare = 0.02;
 constexpr unsigned stepsToSleep = 60;
@@ -82,7 +83,7 @@ public:
         // balls that are pressed find surfaces that they would not have gone against
         for (int round = 0; round < rounds && (findLies() || round == 0); ++round) {
             for (int sweep = 0; sweep < sweeps; ++sweep) {
-                relax();
+                relax(m_presses, m_lies, [this](std::size_t ball) -> glm::dvec3 & { return m_balls[ball].velocity; });
             }
         }
         for (const std::size_t ball : m_island.balls) {
@@ -164,11 +165,13 @@ private:
                              bounces ? e * against : -std::max(gap, 0.0) / timeStep});
     }
 
-    void relax()
+    /// A sweep over the speeds, or the ways, of balls.
+    template<typename SpeedOf>
+    static void relax(std::span<Press> presses, std::span<Lie> lies, const SpeedOf &speedOf)
     {
-        for (Press &press : m_presses) {
-            glm::dvec3 &one = m_balls[press.one].velocity;
-            glm::dvec3 &other = m_balls[press.other].velocity;
+        for (Press &press : presses) {
+            glm::dvec3 &one = speedOf(press.one);
+            glm::dvec3 &other = speedOf(press.other);
             const double wanted = press.speed - glm::dot(one - other, press.direction);
             const double impulse = std::max(0.0, press.impulse + wanted);
             const double change = impulse - press.impulse;
@@ -176,8 +179,8 @@ private:
             one += change * press.shareOfOne * press.direction;
             other -= change * (1.0 - press.shareOfOne) * press.direction;
         }
-        for (Lie &lie : m_lies) {
-            glm::dvec3 &v = m_balls[lie.ball].velocity;
+        for (Lie &lie : lies) {
+            glm::dvec3 &v = speedOf(lie.ball);
             const double impulse = std::max(0.0, lie.impulse + lie.speed - glm::dot(v, lie.direction));
             v += (impulse - lie.impulse) * lie.direction;
             lie.impulse = impulse;
@@ -208,17 +211,31 @@ private:
         return static_cast<std::size_t>(std::ranges::lower_bound(m_island.balls, ball) - m_island.balls.begin());
     }
 
+    /// A part of it, from all of the pile at once: what is pushed up pushes up what lies on it.
     void takeOutOverlap()
     {
-        std::vector<glm::dvec3> ways(m_island.balls.size(), glm::dvec3(0.0));
+        std::vector<Press> presses;
+        bool isAny = false;
         for (const Press &press : m_presses) {
             const BallState &one = m_balls[press.one];
             const BallState &other = m_balls[press.other];
             const double overlap = one.radius + other.radius - glm::distance(one.position, other.position);
-            if (overlap > 0.0) {
-                ways[placeOf(press.one)] += correction * overlap * press.shareOfOne * press.direction;
-                ways[placeOf(press.other)] -= correction * overlap * (1.0 - press.shareOfOne) * press.direction;
+            isAny = isAny || overlap > 0.0;
+            presses.push_back({placeOf(press.one), placeOf(press.other), press.direction, press.shareOfOne,
+                               overlap > 0.0 ? correction * overlap : overlap});
+        }
+        if (!isAny) {
+            return;
+        }
+        std::vector<Lie> lies;
+        for (const Lie &lie : m_lies) {
+            if (lie.impulse > 0.0) {
+                lies.push_back({placeOf(lie.ball), lie.direction, 0.0});
             }
+        }
+        std::vector<glm::dvec3> ways(m_island.balls.size(), glm::dvec3(0.0));
+        for (int sweep = 0; sweep < sweepsOfOverlap; ++sweep) {
+            relax(presses, lies, [&](std::size_t place) -> glm::dvec3 & { return ways[place]; });
         }
         for (std::size_t i = 0; i < ways.size(); ++i) {
             if (ways[i] != glm::dvec3(0.0)) {
