@@ -19,6 +19,13 @@ private Q_SLOTS:
     void radiiOfEverySize();
     void stepsOfEveryLength_data();
     void stepsOfEveryLength();
+    void speedsOfEverySize_data();
+    void speedsOfEverySize();
+    void gravityOfEverySize_data();
+    void gravityOfEverySize();
+    void farFromTheOrigin_data();
+    void farFromTheOrigin();
+    void aMillionSteps();
     void restitutionsAtTheEnds();
     void nothingToFallOn();
     void farAwayAndForEver();
@@ -134,6 +141,121 @@ void TestExtremes::stepsOfEveryLength()
     BallState ball = ballAt({0, 2.7, 0}, 0.05);
     stepBall(ball, laws, ground.probe, 0.0);
     QVERIFY(ball.position == glm::dvec3(0, 2.7, 0));
+}
+
+void TestExtremes::speedsOfEverySize_data()
+{
+    QTest::addColumn<double>("way");
+    for (const double way : {0.0, 1e-12, 1.0, 1e4, 1e6, 1e12, 1e100}) {
+        QTest::addRow("%g radii a step", way) << way;
+    }
+}
+
+/// In a closed box none is let out; a ball that bounces more often than there is time for loses the rest of the step.
+void TestExtremes::speedsOfEverySize()
+{
+    QFETCH(const double, way);
+    Ground ground(boxMesh(1));
+    const Laws laws;
+    for (const double e : {0.0, 0.5, 1.0}) {
+        for (const glm::dvec3 &along : {glm::dvec3(1, 0, 0), glm::dvec3(0.6, 0, 0.8), glm::dvec3(0.36, -0.48, 0.8)}) {
+            const double radius = 1e-3;
+            BallState ball = ballAt({0.1, 0.2, 0.3}, radius, e, way * radius / laws.timeStep * along);
+            for (int step = 0; step < 10; ++step) {
+                const double energy = energyOf(ball, laws);
+                const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
+                QVERIFY(!report.isExhausted || way > 1e4);
+                const glm::dvec3 p = glm::abs(ball.position);
+                QVERIFY(std::max({p.x, p.y, p.z}) <= 1 - radius * (1 - 1e-3));
+                QVERIFY(energyOf(ball, laws) <= energy * (1 + 1e-9) + 1e-3 * 9.8 * radius);
+            }
+        }
+    }
+}
+
+void TestExtremes::gravityOfEverySize_data()
+{
+    QTest::addColumn<double>("gravity");
+    for (const double gravity : {0.0, 1e-300, 1e-9, 1e4, 1e9, 1e15, 1e100}) {
+        QTest::addRow("%g", gravity) << gravity;
+    }
+}
+
+void TestExtremes::gravityOfEverySize()
+{
+    QFETCH(const double, gravity);
+    Ground ground({{.model = modelOf(QStringLiteral("menger"), 3)}, {.model = modelOf(boxMesh(3))}});
+    Laws laws;
+    laws.gravity = {0, -gravity, 0};
+    for (const double radius : {0.1, 1e-3}) {
+        for (const double e : {0.0, 0.5, 1.0}) {
+            BallState ball = ballAt({0.123, 1.7, 0.234}, radius, e);
+            for (int step = 0; step < 50; ++step) {
+                const double energy = energyOf(ball, laws);
+                stepBall(ball, laws, ground.probe, laws.timeStep);
+                QVERIFY(ground.distance(ball.position) >= radius * (1 - 1e-3));
+                const glm::dvec3 p = glm::abs(ball.position);
+                QVERIFY(std::max({p.x, p.y, p.z}) < 3);
+                QVERIFY(energyOf(ball, laws) <= energy + (1e-12 * std::abs(energy) + 1e-3 * gravity * radius));
+            }
+            QVERIFY(gravity > 1e-9 || glm::distance(ball.position, glm::dvec3(0.123, 1.7, 0.234)) < 1e-9);
+        }
+    }
+}
+
+void TestExtremes::farFromTheOrigin_data()
+{
+    QTest::addColumn<double>("offset");
+    for (const double offset : {1e3, 1e6, 1e9, 1e12, 1e15, 1e30, 1e100}) {
+        QTest::addRow("%g", offset) << offset;
+    }
+}
+
+/// Up to a rounding that is a tenth of its radius a ball does what it does at the origin, to what its skin grows to; farther away
+/// it stays a number, and outside by as much as the surface is known there.
+void TestExtremes::farFromTheOrigin()
+{
+    QFETCH(const double, offset);
+    const glm::dvec3 away = offset * glm::dvec3(1, -0.5, 0.25);
+    Ground here({{.model = modelOf(boxMesh(1))}});
+    Ground there({{.model = modelOf(boxMesh(1)), .worldFromModel = AffineMap{glm::dmat3(1.0), away}}});
+    const double radius = 0.1;
+    const double rounding = there.probe.roundingAt(away);
+    const Laws laws;
+    BallState near = ballAt({0.1, 0.2, 0.3}, radius, 0.5, {0.5, 0, -0.25});
+    BallState far = ballAt(near.position + away, radius, 0.5, near.velocity);
+    for (int step = 0; step < 240; ++step) {
+        stepBall(near, laws, here.probe, laws.timeStep);
+        stepBall(far, laws, there.probe, laws.timeStep);
+        QVERIFY(std::isfinite(glm::length(far.position / offset)) && std::isfinite(glm::length(far.velocity)));
+        QVERIFY(there.distance(far.position) >= radius * (1 - 1e-3) - 16 * rounding);
+        if (rounding < 1e-3 * radius) {
+            const glm::dvec3 off = far.position - away - near.position;
+            QVERIFY2(glm::length(off) < 1e-3 * radius + 200 * rounding,
+                     qPrintable(QStringLiteral("step %1: %2 of %3").arg(step).arg(glm::length(off)).arg(rounding)));
+        }
+    }
+}
+
+/// In a box with a sponge, without loss and with some: it is held, and wins nothing.
+void TestExtremes::aMillionSteps()
+{
+    Ground ground({{.model = modelOf(QStringLiteral("menger"), 3)}, {.model = modelOf(boxMesh(3))}});
+    const Laws laws;
+    for (const double e : {0.5, 1.0}) {
+        BallState ball = ballAt({0.123, 1.7, 0.234}, 0.05, e, {1, 2, 3});
+        const double energy = energyOf(ball, laws);
+        std::uint64_t contacts = 0;
+        for (int step = 0; step < 1'000'000; ++step) {
+            const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
+            QVERIFY(!report.isExhausted);
+            contacts += report.contacts;
+        }
+        QVERIFY(ground.distance(ball.position) >= 0.05 * (1 - 1e-3));
+        const glm::dvec3 p = glm::abs(ball.position);
+        QVERIFY(std::max({p.x, p.y, p.z}) < 3 && contacts > 1000);
+        QVERIFY(energyOf(ball, laws) <= energy + 1e-3 * 9.8 * 0.05);
+    }
 }
 
 /// e = 0 leaves nothing of the speed across a plane, e = 1 all of it.
