@@ -15,6 +15,8 @@ namespace romanesco {
 namespace {
 
 constexpr std::string_view heading = "romanesco recording 1";
+/// Seconds: squares of longer ones times a gravity may be no numbers.
+constexpr double greatestTimeStep = 10.0;
 
 std::string textOf(const glm::dvec3 &v)
 {
@@ -115,6 +117,11 @@ std::optional<SceneCollider::Options> colliderOf(std::span<const std::string_vie
     return isCollider ? std::optional(SceneCollider::Options{*kind, *excess}) : std::nullopt;
 }
 
+bool isTimeStep(double seconds)
+{
+    return seconds > 0.0 && seconds <= greatestTimeStep;
+}
+
 std::optional<bool> isDissertation(std::string_view manner)
 {
     const bool is = manner == "dissertation";
@@ -131,7 +138,7 @@ std::optional<World::Options> rulesOf(std::span<const std::string_view> words)
     const auto gravity = vectorOf(words.subspan(1));
     const auto shrinkRate = numberOf(words[4]);
     const auto manner = isDissertation(words[5]);
-    if (!timeStep || *timeStep <= 0.0 || !gravity || !shrinkRate || *shrinkRate < 0.0 || !manner) {
+    if (!timeStep || !isTimeStep(*timeStep) || !gravity || !shrinkRate || *shrinkRate < 0.0 || !manner) {
         return std::nullopt;
     }
     World::Options world;
@@ -197,7 +204,7 @@ private:
         const auto number = numberOf(word);
         if (what == "time-step") {
             recording.world.laws.timeStep = number.value_or(0.0);
-            return recording.world.laws.timeStep > 0.0;
+            return isTimeStep(recording.world.laws.timeStep);
         }
         recording.world.shrinkRate = number.value_or(-1.0);
         return what == "shrink" && recording.world.shrinkRate >= 0.0;

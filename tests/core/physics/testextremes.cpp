@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include <QTest>
 
+#include "core/physics/recording.h"
 #include "tests/core/physics/grounds.h"
 #include "tests/testmain.h"
 
@@ -27,6 +28,7 @@ private Q_SLOTS:
     void farFromTheOrigin();
     void aMillionSteps();
     void restitutionsAtTheEnds();
+    void recordingsOfNoNumbersAreRefused();
     void nothingToFallOn();
     void farAwayAndForEver();
     void flatAndDegenerateFacesHold();
@@ -274,6 +276,26 @@ void TestExtremes::restitutionsAtTheEnds()
         }
         QVERIFY2(e == 0 ? highest < 0.1 * (1 + 1e-3) : std::abs(highest - 0.5) < 1e-3,
                  qPrintable(QString::number(highest)));
+    }
+}
+
+/// Nor of what would become none.
+void TestExtremes::recordingsOfNoNumbersAreRefused()
+{
+    const auto read = [](const std::string &line) {
+        return recordingFromText("romanesco recording 1\n" + line + "\nend 1 00\n");
+    };
+    QVERIFY(read("time-step 10") && read("gravity 1e140 0 0") && read("at 0 drop 1e140 0 0 0 0 0 1e140 1"));
+    QVERIFY(read("at 0 rules 10 0 -9.8 0 1 exact"));
+    for (const char *number : {"nan", "inf", "-inf", "1e400", "1e300"}) {
+        const std::string n(number);
+        for (const std::string &line :
+             {"time-step " + n, "gravity 0 " + n + " 0", "at 0 drop 0 0 " + n + " 0 0 0 1 1",
+              "at 0 drop 0 0 0 " + n + " 0 0 1 1", "at 0 drop 0 0 0 0 0 0 " + n + " 1", "at 0 drop 0 0 0 0 0 0 1 " + n,
+              "at 0 rules " + n + " 0 -9.8 0 1 exact", "at 0 rules 0.1 0 " + n + " 0 1 exact"}) {
+            const auto recording = read(line);
+            QVERIFY2(!recording && recording.error().starts_with("line 2: "), line.c_str());
+        }
     }
 }
 
