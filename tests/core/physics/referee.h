@@ -34,7 +34,7 @@ public:
             least = std::min(least, leastOf(path, radius, least));
             at = path.positionAt(path.end());
             if (&path != &paths.front()) {
-                against = std::max(against, againstOf(path.from, laws));
+                against = std::max(against, againstOf(path));
             }
         }
         least = std::min(least, m_surface.distance(at, ball.position, least));
@@ -51,7 +51,7 @@ public:
 
     /// Of the radius; 1 where a ball has gone through a face.
     double penetration = 0.0;
-    /// Of the speed, that a ball left a contact with and that went against what it touched.
+    /// Of the radius: how far a ball went against what it touched.
     double against = 0.0;
     /// Energy, as a share of what corrections may add: a thousandth of |g|·r a contact.
     double won = 0.0;
@@ -75,16 +75,17 @@ private:
         return least;
     }
 
-    /// A ball in the air has left all that it touches, one that slides goes along what it was found to lie on.
-    [[nodiscard]] double againstOf(const BallState &ball, const Laws &laws) const
+    /// By how much of its radius a ball in the air goes on against what it touches. (One that slides does, by what its skin
+    /// reaches, where it comes to the next of coplanar faces.)
+    [[nodiscard]] double againstOf(const BallPath &path) const
     {
-        const double speed = glm::length(ball.velocity) + std::sqrt(glm::length(laws.gravity) * ball.radius);
+        const BallState &ball = path.from;
         double most = 0.0;
-        const auto take = [&](const glm::dvec3 &n) { most = std::max(most, -glm::dot(ball.velocity, n) / speed); };
-        if (ball.supports.isEmpty()) {
-            std::ranges::for_each(m_surface.directions(ball.position, ball.radius * (1.0 + 5e-5)), take);
-        } else {
-            std::ranges::for_each(ball.supports.directions(), take);
+        if (!ball.supports.isEmpty()) {
+            return most;
+        }
+        for (const glm::dvec3 &n : m_surface.directions(ball.position, ball.radius * (1.0 + 5e-5))) {
+            most = std::max(most, -glm::dot(ball.velocity, n) * path.time / ball.radius);
         }
         return most;
     }

@@ -113,7 +113,7 @@ inline void shoot(const std::vector<SceneItem> &items, int count, std::uint64_t 
             };
             QVERIFY2(referee.penetration <= 1e-3, words("penetration", referee.penetration));
             QVERIFY2(referee.won <= 1.0, words("won", referee.won));
-            QVERIFY2(referee.against <= 1e-6, words("against", referee.against));
+            QVERIFY2(referee.against <= 2e-4, words("against", referee.against));
         }
     }
     // a ball that bounces thousands of times in a step loses the rest of it
