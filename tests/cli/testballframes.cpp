@@ -69,7 +69,7 @@ void TestBallFrames::picturesFollowTheBalls()
 {
     const Folder folder;
     const Outcome result = run({"simulate", folder.path("s.sdo"), "--seconds", "1", "--render",
-                                folder.path("f%02d.png"), "--size", "160x160", "--fps", "9"});
+                                folder.path("f%02d.png"), "--size", "160x160", "--fps", "9", "--dt", "0.05"});
     QCOMPARE(result.status, 0);
     QVERIFY(result.out.isEmpty());
     QCOMPARE(QDir(folder.folder.path()).entryList({"f*.png"}).size(), 10);

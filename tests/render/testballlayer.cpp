@@ -131,6 +131,19 @@ private Q_SLOTS:
         }
     }
 
+    /// The large one's middle is farther away, but its rim is nearer.
+    void aRimHidesWhatIsBehind()
+    {
+        const auto scene = assembled({{modelOf(box), {glm::dmat3(1.0), glm::dvec3(0.0, -40.0, -12.0)}}});
+        const BallSprite large{{0.0, 0.0, 0.0}, 5.0, red};
+        const BallSprite small{{5.246, 0.0, -1.604}, 0.48, green};
+        for (const auto &balls : {std::vector{large, small}, std::vector{small, large}}) {
+            const Picture picture = drawWith(scene, plainView(front(Projection::Perspective)), balls);
+            QVERIFY(isRed(pixel(picture, 277, height / 2)));
+            QVERIFY(isGreen(pixel(picture, 290, height / 2)));
+        }
+    }
+
     /// Those of the scene are left out, and come back.
     void theScenesOwnBallsGiveWay()
     {

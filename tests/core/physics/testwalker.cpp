@@ -96,7 +96,10 @@ void TestWalker::itFallsAndStands()
         walker.go(none, tick, down);
     }
     QVERIFY(walker.position() == there);
-    // looking down does not drive it in, nor is it slower for that
+    // looking down does not drive it in, nor is it slower for that, nor does it fall faster
+    Walker above(ground.surface, {0, 4, 0}, 0.25);
+    above.go({0.0, -1.0, 0.0}, tick, down);
+    QVERIFY(above.position().y > 3.99);
     walker.go({0.3, -5.0, 0.0}, tick, down);
     QVERIFY(std::abs(walker.position().x - there.x - 0.3) < 1e-6);
 }
