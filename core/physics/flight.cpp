@@ -208,9 +208,9 @@ private:
     /// The longest chord that the ball can be swept along from where it is.
     [[nodiscard]] Chord nextChord(double growth) const
     {
-        // where nothing is proved nothing is foreseen
+        // By distances that are too great what is touched at the end would be taken for free, again and again.
         const double ahead =
-            m_looksAhead && m_step.probe().surface().isProved ? stepsAhead * m_step.laws().timeStep : 0.0;
+            m_looksAhead && m_step.probe().surface().isExact ? stepsAhead * m_step.laws().timeStep : 0.0;
         double time = timeForward(m_ball.velocity, m_gravity, std::min(std::max(m_step.left(), ahead), m_longest));
         if (m_isNear) {
             time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_step.room()));

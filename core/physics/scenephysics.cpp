@@ -55,7 +55,8 @@ std::expected<Surface, std::string> surfaceOf(const std::shared_ptr<const Scene>
         }
     }
     return SceneCollider::create(scene, options, stop).transform([&](SceneCollider &&collider) {
-        return Surface{std::make_shared<const SceneCollider>(std::move(collider)), provesClearance(options.kind), size};
+        return Surface{std::make_shared<const SceneCollider>(std::move(collider)), provesClearance(options.kind), size,
+                       provesClearance(options.kind) && options.kind != ColliderKind::Approximate};
     });
 }
 

@@ -15,6 +15,8 @@ struct Surface {
     bool isProved = true;
     /// The greatest coordinate of the surface, either way: for the rounding.
     double size = 0.0;
+    /// Whether the nearest point is found, not only one that is not much farther.
+    bool isExact = true;
 };
 
 }

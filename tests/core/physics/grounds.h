@@ -24,7 +24,8 @@ struct Ground {
     explicit Ground(const std::vector<SceneItem> &items, ColliderKind kind = ColliderKind::Exact, double excess = 0.0)
         : scene(sceneOf(items))
         , collider(std::make_shared<const SceneCollider>(SceneCollider::create(scene, {kind, excess}).value()))
-        , surface{collider, kind != ColliderKind::Greedy && kind != ColliderKind::Octree, sizeOf(items)}
+        , surface{collider, kind != ColliderKind::Greedy && kind != ColliderKind::Octree, sizeOf(items),
+                  kind == ColliderKind::Exact || kind == ColliderKind::Bvh || kind == ColliderKind::Simple}
         , probe(surface)
         , search(collider->search())
     {
