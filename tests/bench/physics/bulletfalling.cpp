@@ -12,8 +12,7 @@ namespace romanesco::bench {
 
 namespace {
 
-/// Of the radius: what moves by more in a step is swept, as a sphere so large. Of those tried the pair with the fewest balls
-/// that go through.
+/// Of the radius: what moves by more in a step is swept, as a sphere so large.
 constexpr double leastMotion = 0.5;
 constexpr double sweptRadius = 0.9;
 
