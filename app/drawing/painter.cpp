@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "painter.h"
 
+#include <format>
 #include <utility>
 
 #include <QBuffer>
@@ -28,6 +29,8 @@ std::expected<Painter, std::string> Painter::create(std::shared_ptr<const Scene>
 
 std::expected<Picture, std::string> Painter::draw(const View &view, const GoesOn &goesOn)
 {
+    m_width = view.width;
+    m_height = view.height;
     m_renderer->begin(view);
     for (bool isFinished = false; !isFinished; isFinished = m_renderer->step(std::chrono::milliseconds(100))) {
         // before each picture too, of which a series may have many
@@ -53,7 +56,8 @@ std::expected<Picture, std::string> Painter::read(std::span<const BallSprite> ba
         return std::unexpected(m_renderer->error());
     }
     if (picture.pixels.empty()) {
-        return std::unexpected("The graphics driver has no room for the picture.");
+        return std::unexpected(
+            std::format("The graphics driver has no room for a picture of {}x{}.", m_width, m_height));
     }
     return picture;
 }

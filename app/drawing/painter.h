@@ -38,6 +38,9 @@ private:
     /// Outlives what was made in it.
     std::unique_ptr<EglContext> m_context;
     std::unique_ptr<Renderer> m_renderer;
+    /// Of the last picture.
+    int m_width = 0;
+    int m_height = 0;
 };
 
 [[nodiscard]] QByteArray pngOf(const Picture &picture);
