@@ -100,7 +100,7 @@ private Q_SLOTS:
         std::vector<std::jthread> threads;
         for (int i = 0; i < 4; ++i) {
             threads.emplace_back([&] {
-                for (int j = 0; j < 5'000; ++j) {
+                while (taken < 2'000) {
                     if (const auto lock = FileLock::take(path("f"))) {
                         isBroken = isBroken || ++holders != 1;
                         ++taken;
@@ -113,7 +113,6 @@ private Q_SLOTS:
         }
         threads.clear();
         QVERIFY(!isBroken);
-        QVERIFY(taken > 1'000);
     }
 };
 
