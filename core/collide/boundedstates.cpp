@@ -26,11 +26,14 @@ constexpr std::size_t bytesOfChild = 600;
 
 }
 
-BoundedStates::BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls)
+BoundedStates::BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls,
+                             Positions begin)
     : m_graph(graph)
     , m_boxes(boxes)
     , m_hulls(hulls)
     , m_table(graph)
+    , m_beginsAt(std::move(begin))
+    , m_begin(m_table.find(m_beginsAt))
     , m_mesh{.box = boxes.at(graph, graph.levels().levelCount())}
 {
 }
@@ -96,6 +99,7 @@ bool BoundedStates::forgetIfLarge()
         return false;
     }
     m_table.forget();
+    m_begin = m_table.find(m_beginsAt);
     m_bounds.clear();
     m_known.clear();
     m_bytes = 0;

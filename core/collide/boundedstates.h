@@ -18,7 +18,7 @@
 namespace romanesco {
 
 /// The states of a graph as a search meets them, with what bounds all that they lead to. Made as they are asked for, each
-/// only once. One thread uses it; graph, boxes and hulls must outlive it.
+/// only once. It begins at any of them. One thread uses it; graph, boxes and hulls must outlive it.
 class BoundedStates
 {
 public:
@@ -33,10 +33,10 @@ public:
         std::vector<LanesOfPoint> corners = {};
     };
 
-    BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls);
+    BoundedStates(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls, Positions begin);
 
     [[nodiscard]] const FractalGraph &graph() const { return m_graph; }
-    [[nodiscard]] StateId root() const { return m_table.root(); }
+    [[nodiscard]] StateId begin() const { return m_begin; }
     [[nodiscard]] const Bounds &bounds(StateId state);
     /// Of the base mesh, in its frame.
     [[nodiscard]] const Bounds &meshBounds() const { return m_mesh; }
@@ -46,11 +46,11 @@ public:
     /// Whether a state is the base mesh and nothing else.
     [[nodiscard]] bool isMesh(StateId state);
 
-    /// Back to the root where it holds more than some tens of megabytes, and than twice what it grew to by one search: every
-    /// other StateId is void then. Whether so. Asked before each search.
+    /// Back to where it begins where it holds more than some tens of megabytes, and than twice what it grew to by one search:
+    /// every other StateId is void then. Whether so. Asked before each search.
     bool forgetIfLarge();
 
-    /// The address of a way from the root.
+    /// The address of a way from where it begins.
     void fillAddress(std::span<const DescentStep> path, Address &address);
 
 private:
@@ -60,6 +60,8 @@ private:
     const BoxBounds &m_boxes;
     const HullBounds &m_hulls;
     StateTable m_table;
+    Positions m_beginsAt;
+    StateId m_begin;
     Bounds m_mesh;
 
     struct Known {

@@ -36,8 +36,8 @@ class BranchAndBound final
 public:
     /// All must outlive it. excess: how much farther than the least a distance may be, in parts of it.
     BranchAndBound(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls,
-                   const EqualProducts &products, Frames frames, double excess)
-        : m_states(graph, boxes, hulls)
+                   const EqualProducts &products, Positions beginsAt, Frames frames, double excess)
+        : m_states(graph, boxes, hulls, std::move(beginsAt))
         , m_products(products)
         , m_frames(std::move(frames))
         , m_excess(excess)
@@ -51,7 +51,7 @@ public:
     {
         assert(std::isfinite(query.p.x + query.p.y + query.p.z) && "no face is nearest to a point that is nowhere");
         begin(query);
-        const StateId root = m_states.root();
+        const StateId root = m_states.begin();
         if (const Box &all = m_states.bounds(root).box; !all.isEmpty()) {
             visit(root, m_states.isMesh(root), m_frames.begin(query, all));
             while (!m_nodes.empty() && m_cost.nodeVisits < query.nodeBudget && !query.stop.stop_requested()) {

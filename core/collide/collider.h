@@ -11,7 +11,7 @@
 
 #include <glm/vec3.hpp>
 
-#include "core/fractal/address.h"
+#include "core/fractal/statetable.h"
 #include "core/geometry/affinemap.h"
 
 namespace romanesco {
@@ -134,6 +134,13 @@ public:
     /// A search of the surface as an affine map places it, in the world's coordinates; mirrored, sheared, flat or all at
     /// a point. Null where the kind would have to be built anew for that.
     [[nodiscard]] virtual std::unique_ptr<Search> searchPlaced(const AffineMap &) const { return nullptr; }
+
+    /// A search of what a state of the graph leads to alone, in the state's frame or as a map places that. Addresses begin
+    /// at the state. Null for kinds that do not go down a graph state by state.
+    [[nodiscard]] virtual std::unique_ptr<Search> searchBelow(const Positions &, const std::optional<AffineMap> &) const
+    {
+        return nullptr;
+    }
 
     /// Bytes held beside the mesh and the graph.
     [[nodiscard]] virtual std::size_t memoryUse() const = 0;

@@ -61,25 +61,30 @@ std::expected<ExactCollider, std::string> ExactCollider::create(const FractalGra
 
 std::unique_ptr<Search> ExactCollider::search() const
 {
-    if (!m_inverses) {
-        return searchPlaced({});
-    }
-    using Closest = BranchAndBound<LocalFrames>;
-    using First = SweepSearch<LocalSweep>;
-    return std::make_unique<ExactSearch<Closest, First>>(
-        Closest(m_graph, m_boxes, m_hulls, m_products, LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces),
-                m_excess),
-        First(m_graph, m_boxes, m_hulls, m_products, LocalSweep(m_graph, *m_inverses, m_mesh, m_tree, m_faces)));
+    return searchBelow(Positions{0}, std::nullopt);
 }
 
 std::unique_ptr<Search> ExactCollider::searchPlaced(const AffineMap &worldFromModel) const
 {
-    using Closest = BranchAndBound<RelativeFrames>;
-    using First = SweepSearch<RelativeSweep>;
-    return std::make_unique<ExactSearch<Closest, First>>(
-        Closest(m_graph, m_boxes, m_hulls, m_products, RelativeFrames(m_graph, m_mesh, m_tree, m_faces, worldFromModel),
-                m_excess),
-        First(m_graph, m_boxes, m_hulls, m_products, RelativeSweep(m_graph, m_mesh, m_tree, m_faces, worldFromModel)));
+    return searchBelow(Positions{0}, worldFromModel);
+}
+
+std::unique_ptr<Search> ExactCollider::searchBelow(const Positions &state, const std::optional<AffineMap> &placed) const
+{
+    const auto with = [&]<typename OfPoints, typename OfSweeps>(OfPoints points, OfSweeps sweeps) {
+        using Closest = BranchAndBound<OfPoints>;
+        using First = SweepSearch<OfSweeps>;
+        return std::make_unique<ExactSearch<Closest, First>>(
+            Closest(m_graph, m_boxes, m_hulls, m_products, state, std::move(points), m_excess),
+            First(m_graph, m_boxes, m_hulls, m_products, state, std::move(sweeps)));
+    };
+    if (m_inverses && !placed) {
+        return with(LocalFrames(m_graph, *m_inverses, m_mesh, m_tree, m_faces),
+                    LocalSweep(m_graph, *m_inverses, m_mesh, m_tree, m_faces));
+    }
+    const AffineMap map = placed.value_or(AffineMap{});
+    return with(RelativeFrames(m_graph, m_mesh, m_tree, m_faces, map),
+                RelativeSweep(m_graph, m_mesh, m_tree, m_faces, map));
 }
 
 std::size_t ExactCollider::memoryUse() const

@@ -47,6 +47,8 @@ public:
 
     [[nodiscard]] std::unique_ptr<Search> search() const override;
     [[nodiscard]] std::unique_ptr<Search> searchPlaced(const AffineMap &worldFromModel) const override;
+    [[nodiscard]] std::unique_ptr<Search> searchBelow(const Positions &state,
+                                                      const std::optional<AffineMap> &placed) const override;
     [[nodiscard]] std::size_t memoryUse() const override;
 
     /// Whether p is taken into the frames.

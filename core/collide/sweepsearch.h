@@ -33,8 +33,8 @@ class SweepSearch
 public:
     /// All must outlive it.
     SweepSearch(const FractalGraph &graph, const BoxBounds &boxes, const HullBounds &hulls,
-                const EqualProducts &products, Frames frames)
-        : m_states(graph, boxes, hulls)
+                const EqualProducts &products, Positions beginsAt, Frames frames)
+        : m_states(graph, boxes, hulls, std::move(beginsAt))
         , m_products(products)
         , m_frames(std::move(frames))
     {
@@ -44,13 +44,13 @@ public:
     {
         const Path path(sweep);
         begin(path);
-        const Box &box = m_states.bounds(m_states.root()).box;
+        const Box &box = m_states.bounds(m_states.begin()).box;
         const Frame frame = m_frames.begin(path, box);
         const bool isOfNumbers = std::isfinite(frame.error()); // else no double holds all of it
         if (!isOfNumbers) {
             drop(0.0);
         } else if (!box.isEmpty()) {
-            visit({.state = m_states.root()}, frame);
+            visit({.state = m_states.begin()}, frame);
             while (!m_nodes.empty() && m_cost.nodeVisits < sweep.nodeBudget && !sweep.stop.stop_requested()) {
                 goOn();
             }

@@ -68,7 +68,8 @@ std::optional<BallContact> contactOf(const Surface &surface, const Ball &ball)
     if (!hit.isFound()) {
         return std::nullopt;
     }
-    return BallContact{search.item(), hit.face, hit.address, hit.point, hit.direction, ball.radius - hit.distance};
+    return BallContact{search.item(), hit.face,      search.addressOf(hit),
+                       hit.point,     hit.direction, ball.radius - hit.distance};
 }
 
 bool provesClearance(ColliderKind kind)

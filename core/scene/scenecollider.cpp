@@ -203,7 +203,7 @@ private:
             return held(OctreeCollider::create(FractalGraph::ofMesh(boundingSphere(*mesh)), *mesh, m_stop));
         }
         m_facesLeft -= mesh->faces.size();
-        m_made.m_meshes.push_back(std::make_unique<const Mesh>(std::move(*mesh)));
+        m_made.m_meshes.push_back(std::make_shared<const Mesh>(std::move(*mesh)));
         return held(BvhCollider::create(*m_made.m_meshes.back(), m_stop));
     }
 
@@ -246,6 +246,42 @@ std::expected<SceneCollider, std::string> SceneCollider::create(std::shared_ptr<
             return std::unexpected("cancelled");
         }
     }
+    return made;
+}
+
+SceneCollider SceneCollider::at(std::shared_ptr<const Surroundings> place) const
+{
+    assert(place->scene == m_scene && "colliders are shared");
+    std::map<const Model *, std::shared_ptr<const Collider>> ofModel;
+    for (const Placed &placed : m_placed) {
+        ofModel[m_scene->items[placed.item].model.get()] = m_surfaces[placed.surface].collider;
+    }
+    SceneCollider made;
+    made.m_scene = m_scene;
+    made.m_promise = m_promise;
+    made.m_excess = m_excess;
+    for (std::size_t i = 0; i < place->nodes.size(); ++i) {
+        const Surroundings::Node &node = place->nodes[i];
+        const SceneItem &item = m_scene->items[node.item];
+        const Positions state = node.isMeshOnly ? Positions{item.model->graph.levels().levelCount()} : node.state;
+        Box box = Box::ofNothing();
+        for (const Position position : state) {
+            box = box.with(item.model->boxes.at(item.model->graph, position));
+        }
+        const auto collider = ofModel.find(item.model.get());
+        if (item.kind == SceneDescription::Kind::Ball || box.isEmpty() || collider == ofModel.end()) {
+            continue;
+        }
+        Placed placed{.item = node.item,
+                      .box = placedBox(node.hereFromNode, box),
+                      .surface = made.m_surfaces.size(),
+                      .node = i};
+        placed.worldFromModel = plainSimilarity(node.hereFromNode);
+        made.m_surfaces.push_back(
+            {collider->second, placed.worldFromModel ? std::nullopt : std::optional(node.hereFromNode), state});
+        made.m_placed.push_back(placed);
+    }
+    made.m_place = std::move(place);
     return made;
 }
 
@@ -320,8 +356,10 @@ Search &SceneSearch::searchOf(const SceneCollider::Placed &placed)
 {
     std::unique_ptr<Search> &search = m_searches[placed.surface];
     if (!search) {
-        const auto &[collider, worldFromModel] = m_collider.m_surfaces[placed.surface];
-        search = worldFromModel ? collider->searchPlaced(*worldFromModel) : collider->search();
+        const auto &[collider, worldFromModel, state] = m_collider.m_surfaces[placed.surface];
+        search = !state.empty() ? collider->searchBelow(state, worldFromModel)
+            : worldFromModel    ? collider->searchPlaced(*worldFromModel)
+                                : collider->search();
         assert(search && "kinds that cannot be placed are written out in the world");
     }
     return *search;
@@ -361,7 +399,7 @@ void SceneSearch::take(const SceneCollider::Placed &placed, Hit &hit)
     const SearchCost cost{hit.cost.faceTests + m_ofItem.cost.faceTests, hit.cost.nodeVisits + m_ofItem.cost.nodeVisits};
     if (m_ofItem.distance < hit.distance) {
         std::swap(hit, m_ofItem);
-        m_item = placed.item;
+        m_found = static_cast<std::size_t>(&placed - m_collider.m_placed.data());
     }
     hit.lower = lower;
     hit.cost = cost;
@@ -426,9 +464,24 @@ void SceneSearch::take(const SceneCollider::Placed &placed, Touch &touch)
                           touch.cost.nodeVisits + m_touchOfItem.cost.nodeVisits};
     if (m_touchOfItem.time < touch.time) {
         std::swap(touch, m_touchOfItem);
-        m_item = placed.item;
+        m_found = static_cast<std::size_t>(&placed - m_collider.m_placed.data());
     }
     touch.cost = cost;
+}
+
+Address SceneSearch::addressOf(const SurfacePoint &found) const
+{
+    if (!m_collider.m_place) {
+        return found.address;
+    }
+    const Surroundings &place = *m_collider.m_place;
+    const Surroundings::Node &node = place.nodes[m_collider.m_placed[m_found].node];
+    std::vector<Step> steps(place.path.begin(), place.path.begin() + static_cast<std::ptrdiff_t>(node.sharedSteps));
+    steps.insert(steps.end(), node.steps.begin(), node.steps.end());
+    StateTable table(m_collider.m_scene->items[node.item].model->graph);
+    Address address = romanesco::addressOf(table, steps).value_or(Address{});
+    address.insert(address.end(), found.address.begin(), found.address.end());
+    return address;
 }
 
 void SceneSearch::promise(const Query &query, bool isCutShort, Hit &hit) const

@@ -14,6 +14,7 @@
 #include "core/geometry/box.h"
 #include "core/geometry/similarity.h"
 #include "scene.h"
+#include "surroundings.h"
 
 namespace romanesco {
 
@@ -44,6 +45,11 @@ public:
     [[nodiscard]] static std::expected<SceneCollider, std::string>
     create(std::shared_ptr<const Scene> scene, const Options &options, const std::stop_token &stop = {});
 
+    /// The same surface in the coordinates of a place, where what is near keeps its precision however deep that lies. Nothing of
+    /// what Surroundings leaves out is found. Only of kinds that search below a state: Exact and Approximate. Cost:
+    /// that of a box for each node; colliders are shared.
+    [[nodiscard]] SceneCollider at(std::shared_ptr<const Surroundings> place) const;
+
     /// A SceneSearch.
     [[nodiscard]] std::unique_ptr<Search> search() const override;
     [[nodiscard]] std::size_t memoryUse() const override;
@@ -52,12 +58,13 @@ private:
     friend class SceneSearch;
     class Builder;
 
-    /// What is searched: a model's own, or one in the world's coordinates.
+    /// What is searched: a model's own, or one in the world's coordinates; of a place, what a state leads to.
     struct Surface {
         std::shared_ptr<const Collider> collider;
         std::optional<AffineMap> worldFromModel = {};
+        Positions state = {};
     };
-    /// An item with faces.
+    /// An item with faces; of a place, a node of one.
     struct Placed {
         std::size_t item = 0;
         /// In the world.
@@ -65,13 +72,17 @@ private:
         std::size_t surface = 0;
         /// None where the surface is in the world's coordinates already.
         std::optional<Similarity> worldFromModel = {};
+        /// Of the place's.
+        std::size_t node = 0;
     };
 
     SceneCollider() = default;
 
     std::shared_ptr<const Scene> m_scene;
+    /// Null in the world.
+    std::shared_ptr<const Surroundings> m_place;
     /// What has been written out, for the colliders of it.
-    std::vector<std::unique_ptr<const Mesh>> m_meshes;
+    std::vector<std::shared_ptr<const Mesh>> m_meshes;
     std::vector<Surface> m_surfaces;
     std::vector<Placed> m_placed;
     /// What an answer promises that was not cut short.
@@ -92,7 +103,10 @@ public:
     void sweep(const Sweep &sweep, Touch &touch) override;
 
     /// By the last query or sweep, the item in Scene::items that its face and address are of. Only where one was found.
-    [[nodiscard]] std::size_t item() const { return m_item; }
+    [[nodiscard]] std::size_t item() const { return m_collider.m_placed[m_found].item; }
+
+    /// The whole of the address that was found, which of a place's collider begins at a node. Cost: that of addressOf().
+    [[nodiscard]] Address addressOf(const SurfacePoint &found) const;
 
 private:
     /// An item at that distance, or not touched before that time.
@@ -119,7 +133,7 @@ private:
     std::vector<Waiting> m_waiting;
     Hit m_ofItem;
     Touch m_touchOfItem;
-    std::size_t m_item = 0;
+    std::size_t m_found = 0;
 };
 
 }
