@@ -9,6 +9,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/passages.h"
 #include "shaders.h"
 
 namespace romanesco {
@@ -75,14 +76,17 @@ std::expected<void, std::string> BallLayer::use(bool isDeep, bool hasLamps)
 void BallLayer::place(std::span<const BallSprite> balls, const Picture &picture)
 {
     const Projector &projector = picture.projector;
-    const Surroundings &here = picture.surroundings;
-    const double unitsPerLength = std::exp2(-here.unitExponent) / projector.unit;
+    Passages passages(picture.surroundings);
     const bool isPerspective = projector.projection == Projection::Perspective;
     std::vector<std::pair<double, Instance>> sorted;
     sorted.reserve(balls.size());
     for (const BallSprite &ball : balls) {
-        const glm::dvec3 c = projector.cameraFromHere * (here.hereFromWorld(ball.centre) - projector.position);
-        const double r = ball.radius * unitsPerLength;
+        const auto here = passages.here(ball.place.get(), {ball.centre, ball.radius});
+        if (!here) {
+            continue;
+        }
+        const glm::dvec3 c = projector.cameraFromHere * (here->centre - projector.position);
+        const double r = here->radius / projector.unit;
         if (!(glm::length(c) < mostUnits && r < mostUnits) || (isPerspective && c.z + r < projector.near)) {
             continue;
         }

@@ -117,7 +117,7 @@ SavedView SceneView::saved() const
     if (m_anchor->isInWorld() || rounding < finePlace * std::exp2(m_surroundings->unitExponent)) {
         return {.place = {}, .camera = writtenOf(inWorld)};
     }
-    return {.place = SavedView::Place{m_surroundings->pathItem, m_surroundings->path}, .camera = writtenOf(camera())};
+    return {.place = m_anchor->place(), .camera = writtenOf(camera())};
 }
 
 void SceneView::refit(double aspect)

@@ -77,21 +77,18 @@ std::expected<BallFrames, std::string> BallFrames::create(const Choice &choice,
     return BallFrames(choice, std::move(*painter));
 }
 
-bool BallFrames::take(const World &world)
+bool BallFrames::take(const Simulation &simulation)
 {
+    const World &world = simulation.world();
     const std::span<const BallState> balls = world.balls();
-    // what has just come was nowhere before
-    for (std::size_t i = m_before.size(); i < balls.size(); ++i) {
-        m_before.push_back(balls[i].position);
-    }
-    m_before.resize(balls.size());
     const double timeStep = world.options().laws.timeStep;
     const double now = static_cast<double>(world.stepCount()) * timeStep;
     for (double due = m_next / m_choice.perSecond; due <= now; due = ++m_next / m_choice.perSecond) {
         const double share = world.stepCount() == 0 ? 1.0 : std::clamp(1.0 - (now - due) / timeStep, 0.0, 1.0);
         std::vector<BallSprite> sprites;
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            sprites.push_back({glm::mix(m_before[i], balls[i].position, share), balls[i].radius, ballColour(i)});
+            sprites.push_back({glm::mix(simulation.before()[i], balls[i].position, share), balls[i].radius,
+                               ballColour(i), simulation.places().surroundings(balls[i].place)});
         }
         const auto picture = m_painter.withBalls(sprites);
         if (!picture) {
@@ -102,7 +99,6 @@ bool BallFrames::take(const World &world)
             return false;
         }
     }
-    std::ranges::transform(balls, m_before.begin(), &BallState::position);
     return true;
 }
 

@@ -6,7 +6,6 @@
 #include <expected>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <QCommandLineOption>
 #include <QCommandLineParser>
@@ -14,7 +13,7 @@
 
 #include "app/drawing/painter.h"
 #include "app/drawing/turn.h"
-#include "core/physics/world.h"
+#include "core/physics/simulation.h"
 
 namespace romanesco::cli {
 
@@ -57,7 +56,7 @@ public:
 
     /// At the start and after each step: writes the pictures that are due until then, each file whole or not at all; balls are
     /// where they are at its time. Complains and returns false where that fails.
-    [[nodiscard]] bool take(const World &world);
+    [[nodiscard]] bool take(const Simulation &simulation);
 
 private:
     BallFrames(const Choice &choice, Painter painter);
@@ -65,7 +64,6 @@ private:
     Choice m_choice;
     Painter m_painter;
     int m_next = 0;
-    std::vector<glm::dvec3> m_before;
 };
 
 }

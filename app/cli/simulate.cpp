@@ -151,11 +151,12 @@ public:
         m_output.append("step,time,ball,x,y,z,vx,vy,vz,radius,contacts,face_tests\n");
     }
 
-    void add(const World &world)
+    void add(const Simulation &simulation)
     {
+        const World &world = simulation.world();
         const double time = static_cast<double>(world.stepCount()) * world.options().laws.timeStep;
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
-            const BallState &ball = world.balls()[i];
+            const Ball ball = inWorld(world.balls()[i], simulation.places().surroundings(world.balls()[i].place).get());
             const StepReport &report = world.reports()[i];
             m_output.append(std::format("{},", world.stepCount()));
             addNumber(time);
@@ -229,13 +230,13 @@ public:
     }
 
     /// At the start and after each step. Whether to go on.
-    [[nodiscard]] bool add(const World &world)
+    [[nodiscard]] bool add(const Simulation &simulation)
     {
         if (m_frames) {
-            m_isGood = m_frames->take(world);
+            m_isGood = m_frames->take(simulation);
             return m_isGood;
         }
-        m_table->add(world);
+        m_table->add(simulation);
         return m_table->isGood();
     }
 
@@ -260,7 +261,7 @@ int run(Simulation &simulation, const Recording &wanted, const QString &file, co
         bool isQuiet)
 {
     StepProgress progress(isQuiet, wanted.steps);
-    bool goesOn = output.add(simulation.world());
+    bool goesOn = output.add(simulation);
     auto input = wanted.inputs.begin();
     for (std::uint64_t step = 0; step < wanted.steps && goesOn && !isCancelled(); ++step) {
         for (; input != wanted.inputs.end() && input->step == step; ++input) {
@@ -269,7 +270,7 @@ int run(Simulation &simulation, const Recording &wanted, const QString &file, co
             }
         }
         simulation.step();
-        goesOn = output.add(simulation.world());
+        goesOn = output.add(simulation);
         progress.show(step + 1);
     }
     if (const int status = output.finish(); status != Done) {

@@ -8,6 +8,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/physics/ballplaces.h"
 #include "viewmarks.h"
 #include "viewport.h"
 
@@ -35,12 +36,13 @@ std::optional<Ball> BallDropper::ballAt(const QPointF &place) const
     if (!picked || !m_drop) {
         return std::nullopt;
     }
-    const auto [like, gravity] = m_drop();
+    const double unit = std::exp2(m_viewport.view().surroundings()->unitExponent);
+    const auto [like, gravity] = m_drop(unit * heightAt(m_viewport.camera(), picked->point));
     const double pull = glm::length(gravity);
     const glm::dvec3 up = pull > 0.0 ? -gravity / pull : glm::dvec3(0.0);
     Ball ball = like;
-    ball.position = m_viewport.view().surroundings()->worldFromHere(picked->point)
-        + ball.radius * (offSurface * picked->normal + height * up);
+    ball.radius /= unit;
+    ball.position = picked->point + ball.radius * (offSurface * picked->normal + height * up);
     return ball;
 }
 
@@ -49,7 +51,9 @@ bool BallDropper::click(const QPointF &place)
     if (!m_viewport.view().hasRayWalk()) {
         Q_EMIT told(tr("The surface is still being looked for. Click again in a moment."));
     } else if (const auto ball = ballAt(place)) {
-        Q_EMIT dropped(*ball);
+        const Surroundings &here = *m_viewport.view().surroundings();
+        here.path.empty() ? Q_EMIT dropped(inWorld(*ball, &here), std::nullopt)
+                          : Q_EMIT dropped(*ball, ScenePlace{here.pathItem, here.path});
     } else {
         Q_EMIT told(tr("There is no surface to drop a ball on."));
     }
@@ -68,14 +72,12 @@ void BallDropper::paint(QPainter &painter) const
     if (!ball) {
         return;
     }
-    const Surroundings &here = *m_viewport.view().surroundings();
-    const glm::dvec3 centre = here.hereFromWorld(ball->position);
-    const auto place = m_viewport.placeOf(centre);
-    const double seen = heightAt(m_viewport.camera(), centre);
+    const auto place = m_viewport.placeOf(ball->position);
+    const double seen = heightAt(m_viewport.camera(), ball->position);
     if (!place || !(seen > 0.0)) {
         return;
     }
-    const double radius = ball->radius * std::exp2(-here.unitExponent) / seen * m_viewport.height();
+    const double radius = ball->radius / seen * m_viewport.height();
     painter.setBrush(Qt::NoBrush);
     for (const auto &[colour, width] : {std::pair(markRim(), 4.0), std::pair(QColor::fromRgba(accent), 1.5)}) {
         painter.setPen(QPen(colour, width));

@@ -9,6 +9,7 @@
 #include <QPointF>
 
 #include "core/physics/ball.h"
+#include "core/scene/sceneplace.h"
 #include "pointertool.h"
 
 namespace romanesco {
@@ -22,27 +23,29 @@ class BallDropper : public QObject, public PointerTool
 public:
     explicit BallDropper(Viewport &viewport, QObject *parent = nullptr);
 
-    /// What is dropped: radius, restitution; and which way it falls.
+    /// What is dropped where so much of the world is seen across, which it need not be small beside; and which way it falls.
     struct Drop {
         Ball ball;
         glm::dvec3 gravity{0.0};
     };
-    void setDrop(std::function<Drop()> drop) { m_drop = std::move(drop); }
+    void setDrop(std::function<Drop(double seen)> drop) { m_drop = std::move(drop); }
 
     bool click(const QPointF &place) override;
     void hover(const QPointF &place) override;
     void paint(QPainter &painter) const override;
 
 Q_SIGNALS:
-    void dropped(const romanesco::Ball &ball);
+    /// Counted from a place, or in the world.
+    void dropped(const romanesco::Ball &ball, const std::optional<romanesco::ScenePlace> &place);
     /// Why nothing was, in a line.
     void told(const QString &words);
 
 private:
+    /// In the view's coordinates.
     [[nodiscard]] std::optional<Ball> ballAt(const QPointF &place) const;
 
     Viewport &m_viewport;
-    std::function<Drop()> m_drop;
+    std::function<Drop(double seen)> m_drop;
     QPointF m_pointer;
 };
 

@@ -14,6 +14,7 @@
 
 #include "core/base/atomicfile.h"
 #include "core/language/keptballs.h"
+#include "core/physics/ballplaces.h"
 #include "core/physics/scenephysics.h"
 #include "editor/fdoeditor.h"
 #include "texttab.h"
@@ -21,6 +22,9 @@
 namespace romanesco {
 
 namespace {
+
+/// In parts of coordinates: what is smaller would not be where it was.
+constexpr double finestRadius = 1e-12;
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(BallKeeper)
@@ -103,10 +107,16 @@ QString keepBalls(TextTab &tab, const Scene &scene, const LiveSimulation::Frame 
     }
     std::vector<KeptBall> balls;
     for (const LiveSimulation::BallFrame &ball : frame.balls) {
-        KeptBall kept{{}, ball.after, ball.velocity, ball.radius / mesh.radius, ball.restitution};
+        const Ball seen = inWorld({ball.after, ball.velocity, ball.radius, ball.restitution},
+                                  frame.places[ball.place].surroundings.get());
+        if (!(seen.radius > finestRadius * glm::length(seen.position))) {
+            return Words::tr("Ball %1 is too small for the coordinates of a scene. Remove it, and keep the others.")
+                .arg(ball.number + 1);
+        }
+        KeptBall kept{{}, seen.position, seen.velocity, seen.radius / mesh.radius, seen.restitution};
         if (isOwn(ball)) {
             kept.own = static_cast<std::size_t>(ball.number);
-            kept.scale = ball.radius / (*own)[*kept.own].radius;
+            kept.scale = seen.radius / (*own)[*kept.own].radius;
         }
         balls.push_back(kept);
     }

@@ -3,6 +3,7 @@
 #include "ballmodel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QLocale>
 
@@ -50,14 +51,16 @@ QVariant BallModel::data(const QModelIndex &index, int role) const
         return {};
     }
     const LiveSimulation::BallFrame &ball = m_frame->balls[static_cast<std::size_t>(index.row())];
+    const Surroundings *place = m_frame->places[ball.place].surroundings.get();
+    const double unit = place ? std::exp2(place->unitExponent) : 1.0;
     const QLocale locale;
     switch (index.column()) {
     case Number:
         return QVariant::fromValue(ball.number + 1);
     case Speed:
-        return locale.toString(glm::length(ball.velocity), 'g', 3);
+        return locale.toString(unit * glm::length(ball.velocity), 'g', 3);
     case Radius:
-        return locale.toString(ball.radius, 'g', 3);
+        return locale.toString(unit * ball.radius, 'g', 3);
     case State:
         return ball.isAsleep ? tr("rests") : ball.contacts > 0 ? tr("touches") : tr("flies");
     default:

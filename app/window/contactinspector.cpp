@@ -12,6 +12,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/passages.h"
 #include "measurement.h"
 #include "viewport.h"
 
@@ -52,16 +53,17 @@ const LiveSimulation::BallFrame *ContactInspector::ballAt(const QPointF &place) 
     if (!here) {
         return nullptr;
     }
+    Passages passages(*here);
     const LiveSimulation::BallFrame *nearest = nullptr;
     double nearestWay = std::numeric_limits<double>::infinity();
     for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
-        const glm::dvec3 centre = here->hereFromWorld(ball.after);
-        const auto seen = m_viewport.placeOf(centre);
+        const auto sphere = passages.here(m_frame->places[ball.place].surroundings.get(), {ball.after, ball.radius});
+        const auto seen = sphere ? m_viewport.placeOf(sphere->centre) : std::nullopt;
         if (!seen) {
             continue;
         }
-        const double height = heightAt(m_viewport.camera(), centre);
-        const double radius = ball.radius * std::exp2(-here->unitExponent) / height * m_viewport.height();
+        const glm::dvec3 &centre = sphere->centre;
+        const double radius = sphere->radius / heightAt(m_viewport.camera(), centre) * m_viewport.height();
         const double way = glm::distance(centre, m_viewport.camera().position);
         if (std::hypot(seen->x() - place.x(), seen->y() - place.y()) <= radius && way < nearestWay) {
             nearest = &ball;
@@ -76,7 +78,7 @@ QString ContactInspector::wordsOf(const LiveSimulation::BallFrame &ball) const
     const QLocale locale;
     QStringList lines{ball.isAsleep ? tr("Ball %1, at rest").arg(ball.number + 1) : tr("Ball %1").arg(ball.number + 1)};
     const auto contact =
-        m_frame->surface ? contactOf(*m_frame->surface, {.position = ball.after, .radius = ball.radius}) : std::nullopt;
+        contactOf(*m_frame->places[ball.place].surface, {.position = ball.after, .radius = ball.radius});
     if (!contact) {
         lines << tr("It touches nothing");
         return lines.join(u'\n');

@@ -160,7 +160,8 @@ QWidget *PhysicsChoices::makeRules()
     auto *form = new QFormLayout;
     m_radius = makeNumber(1e-3, 100.0, 2.0, 3, tr("Radius"));
     m_radius->setSuffix(tr(" %"));
-    m_radius->setToolTip(tr("Of the balls that are dropped: a share of the scene's size"));
+    m_radius->setToolTip(
+        tr("Of the balls that are dropped: a share of the scene's size; deep inside, of what is seen"));
     m_colour = new QComboBox;
     m_colour->setAccessibleName(tr("Colour"));
     m_colour->setToolTip(tr("Of the balls that are dropped"));
@@ -210,13 +211,19 @@ void PhysicsChoices::addGravity(QFormLayout &form)
     for (int axis = 0; axis < 3; ++axis) {
         const QString name = tr("Gravity along %1").arg(QLatin1Char("xyz"[axis]));
         QDoubleSpinBox *box = makeNumber(-1e9, 1e9, laws.gravity[axis], 3, name);
-        box->setToolTip(tr("%1, in units a second squared").arg(name));
+        box->setToolTip(tr("%1, a second squared").arg(name));
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-        box->setFixedWidth(64);
+        box->setFixedWidth(52);
         connect(box, &QDoubleSpinBox::valueChanged, this, &PhysicsChoices::rulesChanged);
         m_gravity.push_back(box);
     }
-    addRow(form, tr("&Gravity"), {m_gravity[0], m_gravity[1], m_gravity[2]});
+    m_gravityUnit = new QComboBox;
+    m_gravityUnit->setAccessibleName(tr("Unit of gravity"));
+    m_gravityUnit->setToolTip(
+        tr("In the scene's units; or in radii of each ball, so that small ones fall as they look"));
+    m_gravityUnit->addItems({tr("units"), tr("radii")});
+    connect(m_gravityUnit, &QComboBox::currentIndexChanged, this, &PhysicsChoices::rulesChanged);
+    addRow(form, tr("&Gravity"), {m_gravity[0], m_gravity[1], m_gravity[2], m_gravityUnit});
 }
 
 QWidget *PhysicsChoices::makeCollider()
@@ -251,6 +258,7 @@ World::Options PhysicsChoices::rules() const
     for (int axis = 0; axis < 3; ++axis) {
         world.laws.gravity[axis] = m_gravity[static_cast<std::size_t>(axis)]->value();
     }
+    world.laws.isGravityInRadii = m_gravityUnit->currentIndex() == 1;
     world.shrinkRate = m_shrink->value();
     world.isAsInDissertation = m_asInDissertation->isChecked();
     return world;

@@ -68,6 +68,7 @@ private:
     QDoubleSpinBox *m_restitution;
     QSpinBox *m_rainCount;
     std::vector<QDoubleSpinBox *> m_gravity;
+    QComboBox *m_gravityUnit;
     QDoubleSpinBox *m_shrink;
     QCheckBox *m_asInDissertation;
     QComboBox *m_collider;

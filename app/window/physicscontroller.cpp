@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QAction>
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "app/drawing/ballcolours.h"
 #include "balldropper.h"
@@ -24,6 +26,10 @@ namespace romanesco {
 namespace {
 
 constexpr int millisecondsAPicture = 16;
+
+/// Balls are not larger, in parts of the height that is seen.
+constexpr double mostOfView = 0.25;
+constexpr double mostRadiiAStep = 10.0;
 
 constexpr std::array<float, 3> selectedColour{1.0f, 1.0f, 1.0f};
 
@@ -50,10 +56,10 @@ PhysicsController::PhysicsController(const PhysicsActions &actions, PhysicsPane 
     m_drawing.setInterval(millisecondsAPicture);
     m_drawing.setTimerType(Qt::PreciseTimer);
     connect(&m_drawing, &QTimer::timeout, this, &PhysicsController::showBalls);
-    m_dropper.setDrop(
-        [this] { return BallDropper::Drop{m_choices.ball(sceneSize()), m_choices.rules().laws.gravity}; });
-    connect(&m_dropper, &BallDropper::dropped, this, [this](const Ball &ball) {
-        m_simulation.drop({ball}, m_choices.colour());
+    m_dropper.setDrop([this](double seen) { return BallDropper::Drop{ballFor(seen), m_choices.rules().laws.gravity}; });
+    connect(&m_dropper, &BallDropper::dropped, this, [this](const Ball &ball, const std::optional<ScenePlace> &place) {
+        m_simulation.drop({ball}, m_choices.colour(), place);
+        warnOfFall(ball, place);
         // Who holds balls where they are may place others among them.
         if (!m_frame->isStarted) {
             m_simulation.play();
@@ -136,6 +142,24 @@ double PhysicsController::sceneSize() const
     return longest > 0.0 ? longest : 1.0;
 }
 
+/// A share of the scene's size; of what is seen, where that is small beside it.
+Ball PhysicsController::ballFor(double seen) const
+{
+    const Ball ball = m_choices.ball(sceneSize());
+    return ball.radius > mostOfView * seen ? m_choices.ball(seen) : ball;
+}
+
+/// What falls so far in a step is not seen to fall.
+void PhysicsController::warnOfFall(const Ball &ball, const std::optional<ScenePlace> &place)
+{
+    const Laws laws = m_choices.rules().laws;
+    const double unit = place ? std::exp2(m_viewport.view().surroundings()->unitExponent) : 1.0;
+    if (!laws.isGravityInRadii
+        && glm::length(laws.gravity) * laws.timeStep * laws.timeStep > mostRadiiAStep * unit * ball.radius) {
+        Q_EMIT told(tr("Balls of this size are gone at once by such a gravity. Count it in radii to see them fall."));
+    }
+}
+
 void PhysicsController::rain()
 {
     if (m_scene) {
@@ -189,7 +213,8 @@ void PhysicsController::showBalls()
     for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
         const auto own = ball.mark == 0 ? ballColour(ball.number) : ballColour(ball.mark - 1);
         const bool isSelected = std::ranges::binary_search(m_selected, ball.number);
-        sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius, isSelected ? selectedColour : own});
+        sprites.push_back({glm::mix(ball.before, ball.after, share), ball.radius, isSelected ? selectedColour : own,
+                           m_frame->places[ball.place].surroundings});
     }
     follow(sprites);
     m_viewport.setBalls(std::move(sprites));
@@ -205,11 +230,12 @@ void PhysicsController::follow(const std::vector<BallSprite> &sprites)
         m_followed.reset();
         return;
     }
-    const glm::dvec3 place = sprites[static_cast<std::size_t>(found - m_frame->balls.begin())].centre;
-    if (m_followed && *m_followed != place) {
-        m_viewport.shift(place - *m_followed);
+    const BallSprite &sprite = sprites[static_cast<std::size_t>(found - m_frame->balls.begin())];
+    if (m_followed && m_followed->place == sprite.place && m_followed->centre != sprite.centre) {
+        const double unit = sprite.place ? std::exp2(sprite.place->unitExponent) : 1.0;
+        m_viewport.shift(unit * (sprite.centre - m_followed->centre));
     }
-    m_followed = place;
+    m_followed = sprite;
 }
 
 }

@@ -61,6 +61,8 @@ private:
     void takeFrame();
     void showBalls();
     [[nodiscard]] double sceneSize() const;
+    [[nodiscard]] Ball ballFor(double seen) const;
+    void warnOfFall(const Ball &ball, const std::optional<ScenePlace> &place);
 
     PhysicsActions m_actions;
     PhysicsPane &m_pane;
@@ -73,7 +75,7 @@ private:
     std::vector<std::uint64_t> m_selected;
     std::uint64_t m_rains = 0;
     /// Where the ball was that the camera goes along with.
-    std::optional<glm::dvec3> m_followed;
+    std::optional<BallSprite> m_followed;
     ContactInspector m_inspector;
     WalkMode m_walkMode;
     /// Runs while balls move: the picture has them where they are by then.

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <cstdint>
+
 #include <glm/vec3.hpp>
 
 #include "supports.h"
@@ -10,7 +12,7 @@ namespace romanesco {
 
 /// A sphere that falls, slides and bounces. It has no spin and no friction, and its mass is its volume.
 struct Ball {
-    /// The centre, in the world.
+    /// The centre, in the world or at a place of one (see World).
     glm::dvec3 position{0.0};
     /// A second.
     glm::dvec3 velocity{0.0};
@@ -22,6 +24,8 @@ struct Ball {
 
 /// A ball, and what is known of it from step to step.
 struct BallState : Ball {
+    /// What it is counted from, its size and its speed too: 0 is the world.
+    std::uint32_t place = 0;
     /// No point of the surface is nearer to the centre; 0 where that is not known.
     double clearance = 0.0;
     /// How its flight goes on, where that is known.

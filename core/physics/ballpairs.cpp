@@ -21,24 +21,18 @@ namespace {
 /// Beside the radii: what touches but for rounding, and is pushed out of a surface.
 constexpr double margin = 1e-3;
 
-/// Where a ball can be within a time: so far from its place.
-double reachOf(const BallState &ball, double time, double fall)
-{
-    const double way = ball.isAsleep ? 0.0 : glm::length(ball.velocity) * time + fall;
-    return ball.radius * (1.0 + margin) + way;
-}
-
-/// A cube of a grid. Its sides are a power of two, its number along each axis a whole one.
+/// A cube of a place's grid. Its sides are a power of two, its number along each axis a whole one.
 struct Cell {
+    std::uint32_t place = 0;
     int level = 0;
     glm::dvec3 number{0.0};
 
     bool operator==(const Cell &) const = default;
 };
 
-Cell cellAt(int level, const glm::dvec3 &position)
+Cell cellAt(int level, const BallState &ball)
 {
-    return {level, glm::floor(position / std::ldexp(1.0, level))};
+    return {ball.place, level, glm::floor(ball.position / std::ldexp(1.0, level))};
 }
 
 /// Grids of all levels that are in use. A ball is in one whose cells are as wide as it reaches across, or up to twice as
@@ -55,11 +49,11 @@ public:
     }
 
     /// The balls in order.
-    void add(const glm::dvec3 &position, double reach)
+    void add(const BallState &ball, double reach)
     {
         int level = 0;
         (void)std::frexp(2.0 * reach, &level);
-        m_cells.push_back(cellAt(level, position));
+        m_cells.push_back(cellAt(level, ball));
         std::size_t &first = m_firsts[placeOf(m_cells.back())];
         m_nexts.push_back(std::exchange(first, m_cells.size() - 1));
         if (std::ranges::find(m_levels, level) == m_levels.end()) {
@@ -70,7 +64,7 @@ public:
     /// Each ball that may meet a ball, from one of both; more than once where numbers of cells are so large that they round to
     /// one another.
     template<typename Visit>
-    void visitNear(std::size_t ball, const glm::dvec3 &position, Visit &&visit) const
+    void visitNear(std::size_t ball, const BallState &state, Visit &&visit) const
     {
         for (const int level : m_levels) {
             if (level < m_cells[ball].level) {
@@ -78,10 +72,10 @@ public:
             }
             // of two cells of one level one is visited from the other
             const bool isOwn = level == m_cells[ball].level;
-            const glm::dvec3 middle = cellAt(level, position).number;
+            const Cell middle = cellAt(level, state);
             for (int i = 0; i < (isOwn ? middleOf27 + 1 : 27); ++i) {
                 const glm::dvec3 off(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-                visitCell({level, middle + off}, [&](std::size_t other) {
+                visitCell({middle.place, level, middle.number + off}, [&](std::size_t other) {
                     if (isOwn && i == middleOf27 ? other < ball : other != ball) {
                         visit(other);
                     }
@@ -106,7 +100,7 @@ private:
 
     [[nodiscard]] std::size_t placeOf(const Cell &cell) const
     {
-        auto key = static_cast<std::uint64_t>(cell.level);
+        auto key = static_cast<std::uint64_t>(cell.level) ^ std::uint64_t{cell.place} << 32;
         for (const double number : {cell.number.x, cell.number.y, cell.number.z}) {
             // + 0.0: there is one zero; of a product the high digits depend on all (Knuth 1973, 6.4)
             key = std::rotl((key ^ std::bit_cast<std::uint64_t>(number + 0.0)) * 0x9e3779b97f4a7c15, 32);
@@ -132,20 +126,23 @@ std::size_t rootOf(std::vector<std::size_t> &parents, std::size_t ball)
 
 }
 
-std::vector<BallPair> nearPairs(std::span<const BallState> balls, const Laws &laws, double time)
+double reachOf(const BallState &ball, const Laws &laws, double time)
 {
-    const double fall = 0.5 * glm::length(laws.gravity) * time * time;
-    std::vector<double> reaches;
-    reaches.reserve(balls.size());
+    const double fall = 0.5 * glm::length(laws.gravityOn(ball)) * time * time;
+    const double way = ball.isAsleep ? 0.0 : glm::length(ball.velocity) * time + fall;
+    return ball.radius * (1.0 + margin) + way;
+}
+
+std::vector<BallPair> nearPairs(std::span<const BallState> balls, std::span<const double> reaches)
+{
     Grids grids(balls.size());
-    for (const BallState &ball : balls) {
-        reaches.push_back(reachOf(ball, time, fall));
-        grids.add(ball.position, reaches.back());
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        grids.add(balls[i], reaches[i]);
     }
     std::vector<BallPair> pairs;
     for (std::size_t ball = 0; ball < balls.size(); ++ball) {
         const BallState &one = balls[ball];
-        grids.visitNear(ball, one.position, [&](std::size_t next) {
+        grids.visitNear(ball, one, [&](std::size_t next) {
             const BallState &other = balls[next];
             const glm::dvec3 apart = one.position - other.position;
             const double reach = reaches[ball] + reaches[next];

@@ -19,9 +19,12 @@ struct BallPair {
     auto operator<=>(const BallPair &) const = default;
 };
 
-/// All pairs whose balls can come so near within a time that they touch, in order, of those of which one is awake or both
+/// How far from its centre a ball may reach within a time.
+[[nodiscard]] double reachOf(const BallState &ball, const Laws &laws, double time);
+
+/// All pairs whose balls can touch, as far as they reach, in order: of those that are counted from one place, of those of which one is awake or both
 /// lie in a pile. Cost: a look into 27 cells of a grid for each ball, and for each size of cells above its own, by powers of two.
-[[nodiscard]] std::vector<BallPair> nearPairs(std::span<const BallState> balls, const Laws &laws, double time);
+[[nodiscard]] std::vector<BallPair> nearPairs(std::span<const BallState> balls, std::span<const double> reaches);
 
 /// Balls that are tied by pairs.
 struct BallIsland {

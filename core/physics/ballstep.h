@@ -14,10 +14,25 @@ namespace romanesco {
 struct Laws {
     /// A second squared.
     glm::dvec3 gravity{0.0, -9.8, 0.0};
+    /// Each ball falls by so many of its own radii, whatever its size.
+    bool isGravityInRadii = false;
     /// Seconds; above 0.
     double timeStep = 1.0 / 240.0;
     /// Of one ball in one step.
     ProbeBudget budget;
+
+    [[nodiscard]] glm::dvec3 gravityOn(const Ball &ball) const
+    {
+        return isGravityInRadii ? ball.radius * gravity : gravity;
+    }
+    /// As one ball has them: its gravity is an acceleration.
+    [[nodiscard]] Laws of(const Ball &ball) const
+    {
+        Laws own = *this;
+        own.gravity = gravityOn(ball);
+        own.isGravityInRadii = false;
+        return own;
+    }
 };
 
 /// What a step of a ball took.

@@ -75,7 +75,7 @@ private:
         std::vector<BallPath> &paths = pathsOf(ball);
         const std::size_t first = paths.size();
         const BallState before = state;
-        StepReport report = stepBall(state, m_laws, m_probe, m_laws.timeStep - from, &paths);
+        StepReport report = stepBall(state, m_laws.of(state), m_probe, m_laws.timeStep - from, &paths);
         for (std::size_t i = first; i < paths.size(); ++i) {
             paths[i].start += from;
         }

@@ -165,19 +165,19 @@ public:
         m_remark.clear();
         m_numbers.clear();
         m_marks.clear();
-        m_before.clear();
         m_figures = {};
     }
 
-    void drop(const std::vector<Ball> &balls, unsigned mark)
+    void drop(const std::vector<Ball> &balls, unsigned mark, const std::optional<ScenePlace> &place)
     {
         m_replay.reset();
         if (!start()) {
             return;
         }
         for (const Ball &ball : balls) {
-            apply(ball);
-            add(ball.position, mark);
+            if (apply(Recording::Drop{ball, place})) {
+                add(mark);
+            }
         }
     }
 
@@ -306,25 +306,23 @@ private:
             say(applied.error());
             return;
         }
-        if (const auto *ball = std::get_if<Ball>(&input.what)) {
-            add(ball->position, 0);
+        if (std::holds_alternative<Recording::Drop>(input.what)) {
+            add(0);
         } else if (const auto *removal = std::get_if<Recording::Removal>(&input.what)) {
             forget(static_cast<std::ptrdiff_t>(removal->ball));
         }
     }
 
-    void add(const glm::dvec3 &position, unsigned mark)
+    void add(unsigned mark)
     {
         m_numbers.push_back(m_nextNumber++);
         m_marks.push_back(mark);
-        m_before.push_back(position);
     }
 
     void forget(std::ptrdiff_t at)
     {
         m_numbers.erase(m_numbers.begin() + at);
         m_marks.erase(m_marks.begin() + at);
-        m_before.erase(m_before.begin() + at);
     }
 
     /// Whether there is a simulation, now at the latest.
@@ -346,8 +344,8 @@ private:
         m_remark.clear();
         m_nextNumber = 0;
         m_ownBalls = m_simulation->world().balls().size();
-        for (const BallState &ball : m_simulation->world().balls()) {
-            add(ball.position, 0);
+        for (std::size_t i = 0; i < m_ownBalls; ++i) {
+            add(0);
         }
         return true;
     }
@@ -365,10 +363,6 @@ private:
 
     void stepOnce()
     {
-        const std::span<const BallState> balls = m_simulation->world().balls();
-        for (std::size_t i = 0; i < balls.size(); ++i) {
-            m_before[i] = balls[i].position;
-        }
         const Clock::time_point begun = Clock::now();
         m_simulation->step();
         measure(Clock::now() - begun);
@@ -412,10 +406,11 @@ private:
     [[nodiscard]] double energyOf(const World &world) const
     {
         double energy = 0.0;
-        for (const BallState &ball : world.balls()) {
+        for (const BallState &state : world.balls()) {
+            const Ball ball = inWorld(state, m_simulation->places().surroundings(state.place).get());
             energy += massOf(ball)
                 * (0.5 * glm::dot(ball.velocity, ball.velocity)
-                   - glm::dot(world.options().laws.gravity, ball.position));
+                   - glm::dot(world.options().laws.gravityOn(ball), ball.position));
         }
         return energy;
     }
@@ -437,15 +432,18 @@ private:
             frame.way = Seconds(m_isPlaying ? wayOfStep() : 0.0);
             frame.energy = energyOf(world);
             frame.lostSteps = world.lostSteps();
-            frame.surface = world.surface();
+            for (std::uint32_t place = 0; place < world.placeCount(); ++place) {
+                frame.places.push_back({m_simulation->places().surroundings(place), world.surface(place)});
+            }
             frame.ownBalls = m_ownBalls;
             frame.balls.reserve(world.balls().size());
             for (std::size_t i = 0; i < world.balls().size(); ++i) {
                 const BallState &ball = world.balls()[i];
                 const unsigned contacts = world.reports()[i].contacts;
                 frame.contacts += contacts;
-                frame.balls.push_back({m_numbers[i], m_marks[i], m_before[i], ball.position, ball.velocity, ball.radius,
-                                       ball.restitution, contacts, ball.isAsleep});
+                frame.balls.push_back({m_numbers[i], m_marks[i], m_simulation->before()[i], ball.position,
+                                       ball.velocity, ball.radius, ball.restitution, contacts, ball.isAsleep,
+                                       ball.place});
             }
         }
         {
@@ -481,7 +479,6 @@ private:
     /// Beside the balls.
     std::vector<std::uint64_t> m_numbers;
     std::vector<unsigned> m_marks;
-    std::vector<glm::dvec3> m_before;
     std::uint64_t m_nextNumber = 0;
     std::size_t m_ownBalls = 0;
     Clock::time_point m_due;
@@ -558,9 +555,11 @@ void LiveSimulation::reset()
     m_worker->give(&Worker::reset);
 }
 
-void LiveSimulation::drop(std::vector<Ball> balls, unsigned mark)
+void LiveSimulation::drop(std::vector<Ball> balls, unsigned mark, std::optional<ScenePlace> place)
 {
-    m_worker->give([balls = std::move(balls), mark](Worker &worker) { worker.drop(balls, mark); });
+    m_worker->give([balls = std::move(balls), mark, place = std::move(place)](Worker &worker) {
+        worker.drop(balls, mark, place);
+    });
 }
 
 void LiveSimulation::remove(std::uint64_t number)

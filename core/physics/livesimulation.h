@@ -40,6 +40,16 @@ public:
         double restitution = 0.0;
         unsigned contacts = 0;
         bool isAsleep = false;
+        /// Of Frame::places, what all of it is counted from.
+        std::uint32_t place = 0;
+    };
+
+    /// What balls are counted from: the world, or a place in it.
+    struct Place {
+        /// Null in the world.
+        std::shared_ptr<const Surroundings> surroundings;
+        /// What they fall on.
+        std::shared_ptr<const Surface> surface;
     };
 
     /// Of the last half second or so.
@@ -69,15 +79,15 @@ public:
         Clock::time_point due;
         std::chrono::duration<double> way{0.0};
         Figures figures;
-        /// Kinetic and of height, of all balls: their mass is their volume.
+        /// Kinetic and of height, of all balls, in the world's units: their mass is their volume.
         double energy = 0.0;
         unsigned contacts = 0;
         /// Times that a ball was not done with a step.
         std::uint64_t lostSteps = 0;
         /// So many balls were the scene's own, numbered from 0, at the start.
         std::size_t ownBalls = 0;
-        /// What they fall on; null unless isStarted.
-        std::shared_ptr<const Surface> surface;
+        /// The first is the world; none unless isStarted.
+        std::vector<Place> places;
         /// What was not possible, or what a replay came to: a sentence, or empty.
         std::string remark;
     };
@@ -107,8 +117,8 @@ public:
     void step();
     /// To the scene's start; nothing plays.
     void reset();
-    /// mark is for whoever looks at frames, such as a colour.
-    void drop(std::vector<Ball> balls, unsigned mark = 0);
+    /// At a place, or in the world. mark is for whoever looks at frames, such as a colour.
+    void drop(std::vector<Ball> balls, unsigned mark = 0, std::optional<ScenePlace> place = std::nullopt);
     void remove(std::uint64_t number);
     /// What was recorded so far is told on the thread; the error is a sentence.
     void record(std::function<void(std::expected<Recording, std::string>)> told);

@@ -78,7 +78,7 @@ public:
         }
         for (const std::size_t ball : m_island.balls) {
             m_before.push_back({m_balls[ball].velocity, m_balls[ball].restitution});
-            m_balls[ball].velocity += m_laws.timeStep * m_laws.gravity;
+            m_balls[ball].velocity += m_laws.timeStep * m_laws.gravityOn(m_balls[ball]);
         }
         // balls that are pressed find surfaces that they would not have gone against
         for (int round = 0; round < rounds && (findLies() || round == 0); ++round) {
@@ -121,8 +121,7 @@ private:
             const auto nearest = m_probe.nearest(state.position, reach, motion);
             count(m_island.balls[i]);
             if (nearest.isFound && !m_met[i].holds(nearest.direction) && m_met[i].add(nearest.direction)) {
-                m_lies.push_back(
-                    {m_island.balls[i], nearest.direction, partingSpeed(m_before[i], state.radius, nearest)});
+                m_lies.push_back({m_island.balls[i], nearest.direction, partingSpeed(m_before[i], state, nearest)});
                 hasFound = true;
             }
         }
@@ -130,13 +129,13 @@ private:
     }
 
     /// From a surface: that of the bounce, or what brings the ball just to it.
-    [[nodiscard]] double partingSpeed(const Before &before, double radius, const Probe::Nearest &nearest) const
+    [[nodiscard]] double partingSpeed(const Before &before, const BallState &ball, const Probe::Nearest &nearest) const
     {
         const double timeStep = m_laws.timeStep;
         const double e = before.restitution;
-        const double room = std::max(0.0, nearest.clearance - radius * (1.0 + near));
+        const double room = std::max(0.0, nearest.clearance - ball.radius * (1.0 + near));
         const double against = -glm::dot(before.velocity, nearest.direction);
-        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravity) * (1.0 - e);
+        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravityOn(ball)) * (1.0 - e);
         return against * timeStep > room && !isLeftOut ? e * against : -room / timeStep;
     }
 
@@ -158,7 +157,7 @@ private:
         const double against = -glm::dot(one.velocity - other.velocity, n);
         const double e = std::sqrt(one.restitution * other.restitution);
         const double timeStep = m_laws.timeStep;
-        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravity) * (1.0 - e);
+        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravityOn(one)) * (1.0 - e);
         const bool bounces = against > 0.0 && gap <= against * timeStep && !isLeftOut;
         const double ratio = one.radius / other.radius;
         m_presses.push_back({pair.one, pair.other, n, 1.0 / (1.0 + ratio * ratio * ratio),
@@ -264,7 +263,7 @@ private:
         for (const std::size_t ball : m_island.balls) {
             BallState &state = m_balls[ball];
             state.isPiled = false;
-            const double calm = calmShare * calmShare * glm::length(m_laws.gravity) * state.radius;
+            const double calm = calmShare * calmShare * glm::length(m_laws.gravityOn(state)) * state.radius;
             state.calmSteps = glm::dot(state.velocity, state.velocity) <= calm ? state.calmSteps + 1 : 0;
         }
         for (const Press &press : m_presses) {

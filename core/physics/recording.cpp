@@ -28,9 +28,16 @@ std::string textOf(const SceneCollider::Options &collider)
     return std::format("collider {} {}", colliderNames[static_cast<std::size_t>(collider.kind)], collider.excess);
 }
 
-std::string textOf(const Ball &ball)
+std::string textOf(const Recording::Drop &drop)
 {
-    return std::format("drop {} {} {} {}", textOf(ball.position), textOf(ball.velocity), ball.radius, ball.restitution);
+    const Ball &ball = drop.ball;
+    std::string text =
+        std::format("drop {} {} {} {}", textOf(ball.position), textOf(ball.velocity), ball.radius, ball.restitution);
+    if (drop.place) {
+        text += " in " + textOf(*drop.place);
+        text.pop_back(); // its last blank
+    }
+    return text;
 }
 
 std::string textOf(const Recording::Removal &removal)
@@ -43,10 +50,16 @@ std::string_view mannerOf(const World::Options &world)
     return world.isAsInDissertation ? "dissertation" : "exact";
 }
 
+/// Of gravity: after all else.
+std::string_view unitOf(const World::Options &world)
+{
+    return world.laws.isGravityInRadii ? " radii" : "";
+}
+
 std::string textOf(const World::Options &world)
 {
-    return std::format("rules {} {} {} {}", world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate,
-                       mannerOf(world));
+    return std::format("rules {} {} {} {}{}", world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate,
+                       mannerOf(world), unitOf(world));
 }
 
 std::vector<std::string_view> wordsOf(std::string_view line)
@@ -90,19 +103,31 @@ std::optional<glm::dvec3> vectorOf(std::span<const std::string_view> words)
     return v;
 }
 
-/// The words after "drop".
-std::optional<Ball> ballOf(std::span<const std::string_view> words)
+/// The words after "in", between single blanks.
+std::optional<ScenePlace> placeOf(std::span<const std::string_view> words)
 {
-    if (words.size() != 8) {
+    std::string text;
+    for (const std::string_view word : words) {
+        text += std::string(word) + ' ';
+    }
+    return scenePlaceFromText(text);
+}
+
+/// The words after "drop".
+std::optional<Recording::Drop> dropOf(std::span<const std::string_view> words)
+{
+    const bool hasPlace = words.size() > 9 && words[8] == "in";
+    if (words.size() != 8 && !hasPlace) {
         return std::nullopt;
     }
+    const auto place = hasPlace ? placeOf(words.subspan(9)) : std::nullopt;
     const auto position = vectorOf(words);
     const auto velocity = vectorOf(words.subspan(3));
     const auto radius = numberOf(words[6]);
     const auto restitution = numberOf(words[7]);
     const bool isBall = position && velocity && radius && *radius > 0.0 && *radius <= SceneCollider::farthest
-        && restitution && *restitution >= 0.0 && *restitution <= 1.0;
-    return isBall ? std::optional(Ball{*position, *velocity, *radius, *restitution}) : std::nullopt;
+        && restitution && *restitution >= 0.0 && *restitution <= 1.0 && place.has_value() == hasPlace;
+    return isBall ? std::optional(Recording::Drop{{*position, *velocity, *radius, *restitution}, place}) : std::nullopt;
 }
 
 /// The words after "collider".
@@ -131,7 +156,8 @@ std::optional<bool> isDissertation(std::string_view manner)
 /// The words after "rules".
 std::optional<World::Options> rulesOf(std::span<const std::string_view> words)
 {
-    if (words.size() != 6) {
+    const bool isInRadii = words.size() == 7 && words[6] == "radii";
+    if (words.size() != 6 && !isInRadii) {
         return std::nullopt;
     }
     const auto timeStep = numberOf(words[0]);
@@ -144,6 +170,7 @@ std::optional<World::Options> rulesOf(std::span<const std::string_view> words)
     World::Options world;
     world.laws.timeStep = *timeStep;
     world.laws.gravity = *gravity;
+    world.laws.isGravityInRadii = isInRadii;
     world.shrinkRate = *shrinkRate;
     world.isAsInDissertation = *manner;
     return world;
@@ -179,8 +206,10 @@ public:
             return collider.has_value();
         }
         if (what == "gravity") {
-            const auto gravity = rest.size() == 3 ? vectorOf(rest) : std::nullopt;
+            const bool isInRadii = rest.size() == 4 && rest[3] == "radii";
+            const auto gravity = rest.size() == 3 || isInRadii ? vectorOf(rest) : std::nullopt;
             recording.world.laws.gravity = gravity.value_or(glm::dvec3(0.0));
+            recording.world.laws.isGravityInRadii = isInRadii;
             return gravity.has_value();
         }
         return rest.size() == 1 && takeOne(what, rest.front());
@@ -223,7 +252,7 @@ private:
             }
             return what.has_value();
         };
-        return (words[1] == "drop" && add(ballOf(rest))) || (words[1] == "collider" && add(colliderOf(rest)))
+        return (words[1] == "drop" && add(dropOf(rest))) || (words[1] == "collider" && add(colliderOf(rest)))
             || (words[1] == "remove" && add(removalOf(rest))) || (words[1] == "rules" && add(rulesOf(rest)));
     }
 
@@ -245,9 +274,9 @@ private:
 std::string textOf(const Recording &recording)
 {
     const World::Options &world = recording.world;
-    std::string text = std::format("{}\ntime-step {}\ngravity {}\nshrink {}\nmanner {}\n{}\nstart {:016x}\n", heading,
-                                   world.laws.timeStep, textOf(world.laws.gravity), world.shrinkRate, mannerOf(world),
-                                   textOf(recording.collider), recording.startHash);
+    std::string text = std::format("{}\ntime-step {}\ngravity {}{}\nshrink {}\nmanner {}\n{}\nstart {:016x}\n", heading,
+                                   world.laws.timeStep, textOf(world.laws.gravity), unitOf(world), world.shrinkRate,
+                                   mannerOf(world), textOf(recording.collider), recording.startHash);
     for (const Recording::Input &input : recording.inputs) {
         text += std::visit([&](const auto &what) { return std::format("at {} {}\n", input.step, textOf(what)); },
                            input.what);

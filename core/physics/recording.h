@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "core/scene/scenecollider.h"
+#include "core/scene/sceneplace.h"
 #include "world.h"
 
 namespace romanesco {
@@ -22,6 +24,11 @@ struct Recording {
     /// World::stateHash() before the first step, which tells whether the scene is the same.
     std::uint64_t startHash = 0;
 
+    /// A ball that comes in, in the world's coordinates or those of a place.
+    struct Drop {
+        Ball ball;
+        std::optional<ScenePlace> place = {};
+    };
     /// Of the balls that there are then.
     struct Removal {
         std::size_t ball = 0;
@@ -30,7 +37,7 @@ struct Recording {
     /// there are other rules (see World::setRules()).
     struct Input {
         std::uint64_t step = 0;
-        std::variant<Ball, SceneCollider::Options, Removal, World::Options> what;
+        std::variant<Drop, SceneCollider::Options, Removal, World::Options> what;
     };
     /// In order.
     std::vector<Input> inputs = {};

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <string>
 
+#include "ballplaces.h"
 #include "core/scene/scene.h"
 #include "recording.h"
 #include "world.h"
@@ -27,7 +28,7 @@ public:
     /// cannot do, cancelled, no such ball.
     [[nodiscard]] std::expected<void, std::string> apply(const Recording::Input &input,
                                                          const std::stop_token &stop = {});
-    void step() { m_world->step(); }
+    void step();
 
     /// The surface of another scene; all balls stay as they are. There is no recording of that. The error is as of start(), and
     /// changes nothing.
@@ -35,6 +36,9 @@ public:
                                                             const std::stop_token &stop = {});
 
     [[nodiscard]] const World &world() const { return *m_world; }
+    /// Where each ball was before the last step, counted from where it is now.
+    [[nodiscard]] std::span<const glm::dvec3> before() const { return m_before; }
+    [[nodiscard]] const BallPlaces &places() const { return *m_places; }
     /// Whether all that was done is in the recording.
     [[nodiscard]] bool isRecorded() const { return m_isRecorded; }
     /// Up to here, of the scene that it started with.
@@ -42,9 +46,12 @@ public:
 
 private:
     Simulation() = default;
+    void add(const Ball &ball, std::uint32_t place);
 
     std::shared_ptr<const Scene> m_scene;
     std::unique_ptr<World> m_world;
+    std::unique_ptr<BallPlaces> m_places;
+    std::vector<glm::dvec3> m_before;
     SceneCollider::Options m_collider;
     Recording m_recording;
     bool m_isRecorded = true;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include <glm/common.hpp>
+
 #include "ballstepper.h"
 #include "dissertationstep.h"
 #include "exponential.h"
@@ -19,6 +21,8 @@ namespace {
 constexpr std::size_t ballsAtATime = 16;
 /// Of the radius at the start.
 constexpr double leastShare = 1e-9;
+/// Of a place's units: what falls faster is gone in any case, and squares are numbers.
+constexpr double mostGravity = 1e100;
 
 }
 
@@ -30,10 +34,10 @@ World::World(Surface surface, const Options &options)
     setSurface(std::move(surface));
 }
 
-void World::add(const Ball &ball)
+void World::add(const Ball &ball, std::uint32_t place)
 {
-    assert(ball.radius > 0.0 && ball.restitution >= 0.0 && ball.restitution <= 1.0);
-    m_balls.push_back({ball});
+    assert(ball.radius > 0.0 && ball.restitution >= 0.0 && ball.restitution <= 1.0 && place < m_places.size());
+    m_balls.push_back({ball, place});
     m_radiiAtStart.push_back(ball.radius);
     m_addedAt.push_back(m_stepCount);
     m_reports.emplace_back();
@@ -46,17 +50,50 @@ void World::remove(std::size_t ball)
     m_radiiAtStart.erase(m_radiiAtStart.begin() + at);
     m_addedAt.erase(m_addedAt.begin() + at);
     m_reports.erase(m_reports.begin() + at);
-    wake();
+    std::ranges::for_each(m_balls, wake);
 }
 
-void World::setSurface(Surface surface)
+void World::setSurface(Surface surface, std::uint32_t number, double unit)
 {
-    m_surface = std::make_shared<const Surface>(std::move(surface));
-    m_probes.clear();
+    assert(number <= m_places.size() && unit > 0.0);
+    m_places.resize(std::max<std::size_t>(m_places.size(), number + 1));
+    Place &place = m_places[number];
+    place.probes.clear();
+    place.surface = std::make_shared<const Surface>(std::move(surface));
+    place.unit = unit;
+    setLaws(place);
     for (unsigned i = 0; i < m_team.size(); ++i) {
-        m_probes.push_back(std::make_unique<Probe>(*m_surface));
+        place.probes.push_back(std::make_unique<Probe>(*place.surface));
     }
-    wake();
+    for (BallState &ball : m_balls) {
+        if (ball.place == number) {
+            wake(ball);
+        }
+    }
+}
+
+void World::setLaws(Place &place) const
+{
+    place.laws = m_options.laws;
+    if (!place.laws.isGravityInRadii) {
+        place.laws.gravity = glm::clamp(place.laws.gravity / place.unit, -mostGravity, mostGravity);
+    }
+}
+
+void World::recount(std::size_t number, std::uint32_t place, std::span<const Anchor::Move> moves)
+{
+    BallState &ball = m_balls[number];
+    double scale = 1.0;
+    for (const Anchor::Move &move : moves) {
+        ball.position = move(ball.position);
+        scale *= move.scale;
+    }
+    ball.velocity /= scale;
+    ball.radius /= scale;
+    m_radiiAtStart[number] /= scale;
+    ball.place = place;
+    ball.clearance = 0.0;
+    ball.foresight = {};
 }
 
 void World::setRules(const Options &options)
@@ -68,19 +105,18 @@ void World::setRules(const Options &options)
     for (std::size_t i = 0; i < m_balls.size(); ++i) {
         m_radiiAtStart[i] = m_balls[i].radius;
         m_addedAt[i] = m_stepCount;
+        wake(m_balls[i]);
     }
-    wake();
+    std::ranges::for_each(m_places, [this](Place &place) { setLaws(place); });
 }
 
-void World::wake()
+void World::wake(BallState &ball)
 {
-    for (BallState &ball : m_balls) {
-        ball.clearance = 0.0;
-        ball.foresight = {};
-        ball.supports.clear();
-        ball.isAsleep = false;
-        ball.calmSteps = 0;
-    }
+    ball.clearance = 0.0;
+    ball.foresight = {};
+    ball.supports.clear();
+    ball.isAsleep = false;
+    ball.calmSteps = 0;
 }
 
 void World::step()
@@ -93,7 +129,7 @@ void World::step()
     } else {
         m_team.run(m_balls.size(), ballsAtATime, [this](std::size_t first, std::size_t last, unsigned thread) {
             for (std::size_t i = first; i < last; ++i) {
-                stepAlone(i, *m_probes[thread]);
+                stepAlone(i, thread);
             }
         });
     }
@@ -111,17 +147,24 @@ void World::shrink()
     }
 }
 
-void World::stepAlone(std::size_t ball, Probe &probe)
+void World::stepAlone(std::size_t number, unsigned thread)
 {
-    const Laws &laws = m_options.laws;
-    m_reports[ball] = m_options.isAsInDissertation ? stepAsInDissertation(m_balls[ball], laws, probe, laws.timeStep)
-                                                   : stepBall(m_balls[ball], laws, probe, laws.timeStep);
+    BallState &ball = m_balls[number];
+    const Place &place = m_places[ball.place];
+    const Laws laws = place.laws.of(ball);
+    Probe &probe = *place.probes[thread];
+    m_reports[number] = m_options.isAsInDissertation ? stepAsInDissertation(ball, laws, probe, laws.timeStep)
+                                                     : stepBall(ball, laws, probe, laws.timeStep);
 }
 
 void World::stepTogether()
 {
-    const Laws &laws = m_options.laws;
-    const std::vector<BallIsland> islands = islandsOf(m_balls, nearPairs(m_balls, laws, laws.timeStep));
+    std::vector<double> reaches;
+    reaches.reserve(m_balls.size());
+    for (const BallState &ball : m_balls) {
+        reaches.push_back(reachOf(ball, m_places[ball.place].laws, m_options.laws.timeStep));
+    }
+    const std::vector<BallIsland> islands = islandsOf(m_balls, nearPairs(m_balls, reaches));
     std::vector<bool> isAlone(m_balls.size(), true);
     for (const BallIsland &island : islands) {
         for (const std::size_t ball : island.balls) {
@@ -130,13 +173,14 @@ void World::stepTogether()
     }
     m_team.run(islands.size(), 1, [&](std::size_t first, std::size_t last, unsigned thread) {
         for (std::size_t i = first; i < last; ++i) {
-            stepIsland(islands[i], m_balls, m_reports, laws, *m_probes[thread]);
+            const Place &place = m_places[m_balls[islands[i].balls.front()].place];
+            stepIsland(islands[i], m_balls, m_reports, place.laws, *place.probes[thread]);
         }
     });
     m_team.run(m_balls.size(), ballsAtATime, [&](std::size_t first, std::size_t last, unsigned thread) {
         for (std::size_t i = first; i < last; ++i) {
             if (isAlone[i]) {
-                stepAlone(i, *m_probes[thread]);
+                stepAlone(i, thread);
             }
         }
     });
@@ -147,6 +191,9 @@ std::uint64_t World::stateHash() const
     StateHash hash;
     hash.add(m_stepCount);
     for (const BallState &ball : m_balls) {
+        if (ball.place > 0) {
+            hash.add(m_places[ball.place].unit);
+        }
         hash.add(ball.position);
         hash.add(ball.velocity);
         hash.add(ball.radius);

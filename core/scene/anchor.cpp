@@ -130,6 +130,34 @@ Anchor::Move Anchor::ascend()
     return {1.0 / left.ratio, -(linear() * left.map.translation) / left.ratio};
 }
 
+std::optional<Anchor> Anchor::at(std::shared_ptr<const Scene> scene, const ScenePlace &place)
+{
+    Anchor anchor(std::move(scene));
+    const auto isThere = [&](const Step &step) { return anchor.enter(step); };
+    const bool isPlace =
+        isThere({0, static_cast<std::uint32_t>(place.item)}) && std::ranges::all_of(place.steps, isThere);
+    return isPlace ? std::optional(std::move(anchor)) : std::nullopt;
+}
+
+std::vector<Anchor::Move> Anchor::goTo(const ScenePlace &place)
+{
+    std::vector<Step> path{{0, static_cast<std::uint32_t>(place.item)}};
+    path.insert(path.end(), place.steps.begin(), place.steps.end());
+    return goTo(path);
+}
+
+std::optional<ScenePlace> Anchor::place() const
+{
+    if (m_levels.empty()) {
+        return std::nullopt;
+    }
+    ScenePlace place{m_levels.front().step.map};
+    for (std::size_t i = 1; i < m_levels.size(); ++i) {
+        place.steps.push_back(m_levels[i].step);
+    }
+    return place;
+}
+
 bool Anchor::enter(const Step &step)
 {
     return enterWith(step).has_value();

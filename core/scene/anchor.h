@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "neighbours.h"
+#include "sceneplace.h"
 
 namespace romanesco {
 
@@ -42,16 +43,25 @@ public:
     /// The same place in another scene, or as far along the way there as that scene has it.
     [[nodiscard]] std::vector<Move> moveTo(std::shared_ptr<const Scene> scene);
 
+    /// At a node; nothing where there is none, or it has no extent.
+    [[nodiscard]] static std::optional<Anchor> at(std::shared_ptr<const Scene> scene, const ScenePlace &place);
+
     /// Goes down from where it is, along one step; false where there is no such child, or it has no extent. From the world
     /// the step's map is the number of an item.
     bool enter(const Step &step);
 
     /// Up to the world.
-    [[nodiscard]] std::vector<Move> leave() { return goTo({}); }
+    [[nodiscard]] std::vector<Move> leave() { return goTo(std::span<const Step>()); }
+
+    /// To a node, up to where the ways part and down from there, as far as there is one. What is small is lost only where that is
+    /// far above both.
+    [[nodiscard]] std::vector<Move> goTo(const ScenePlace &place);
 
     [[nodiscard]] bool isInWorld() const { return m_levels.empty(); }
     /// How many maps lead here.
     [[nodiscard]] std::size_t depth() const { return m_levels.empty() ? 0 : m_levels.size() - 1; }
+    /// Nothing in the world.
+    [[nodiscard]] std::optional<ScenePlace> place() const;
     /// Round the node, in coordinates of here; the whole scene in the world.
     [[nodiscard]] Sphere bound() const;
 

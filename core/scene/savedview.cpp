@@ -3,7 +3,6 @@
 #include "savedview.h"
 
 #include <algorithm>
-#include <charconv>
 #include <format>
 
 #include "core/formats/sdosyntax.h"
@@ -14,9 +13,6 @@ namespace romanesco {
 namespace {
 
 constexpr std::string_view opening = "# view: ";
-/// A repetition of more than an anchor goes down is no view that was saved.
-constexpr std::size_t mostSteps = 100'000;
-
 std::string vectorWords(const glm::dvec3 &v)
 {
     return std::format("({}, {}, {})", v.x, v.y, v.z);
@@ -44,7 +40,6 @@ std::optional<SceneDescription::Camera> cameraFrom(std::string_view words)
                                     {}};
 }
 
-/// Takes an expected text off the front of the words.
 bool take(std::string_view &words, std::string_view expected)
 {
     const bool isThere = words.starts_with(expected);
@@ -52,67 +47,29 @@ bool take(std::string_view &words, std::string_view expected)
     return isThere;
 }
 
-template<typename Number>
-std::optional<Number> takeNumber(std::string_view &words)
-{
-    Number number = 0;
-    const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
-    if (error != std::errc()) {
-        return std::nullopt;
-    }
-    words.remove_prefix(static_cast<std::size_t>(end - words.data()));
-    return number;
-}
-
-struct Run {
-    Step step;
-    std::size_t count;
-};
-
-/// SET.MAP or SET.MAP*COUNT, and a blank.
-std::optional<Run> takeRun(std::string_view &words)
-{
-    const auto set = takeNumber<std::uint32_t>(words);
-    if (!set || !take(words, ".")) {
-        return std::nullopt;
-    }
-    const auto map = takeNumber<std::uint32_t>(words);
-    const auto count = take(words, "*") ? takeNumber<std::size_t>(words) : std::optional<std::size_t>(1);
-    return map && count && take(words, " ") ? std::optional<Run>({{*set, *map}, *count}) : std::nullopt;
-}
-
 std::optional<SavedView> viewFrom(std::string_view line)
 {
     SavedView view;
-    std::vector<Run> runs; // written out once all of the line is right
-    std::size_t count = 0;
     if (!take(line, opening)) {
         return std::nullopt;
     }
     view.isEndless = take(line, "endless, ");
     if (take(line, "in ")) {
-        const auto item = takeNumber<std::uint32_t>(line);
-        if (!item || !take(line, ": ")) {
+        const std::size_t end = line.find("at ");
+        if (end == std::string_view::npos) {
             return std::nullopt;
         }
-        view.place = {*item, {}};
-        while (!take(line, "at ")) {
-            const auto run = takeRun(line);
-            if (!run || run->count > mostSteps - count) {
-                return std::nullopt;
-            }
-            count += run->count;
-            runs.push_back(*run);
+        view.place = scenePlaceFromText(line.substr(0, end));
+        if (!view.place) {
+            return std::nullopt;
         }
+        line.remove_prefix(end + 3);
     }
     const auto camera = cameraFrom(line);
     if (!camera) {
         return std::nullopt;
     }
     view.camera = *camera;
-    for (const Run &run : runs) {
-        view.place->steps.insert(view.place->steps.end(), run.count, run.step);
-    }
     return view;
 }
 
@@ -140,14 +97,7 @@ std::string viewLine(const SavedView &view)
     std::string line(opening);
     line += view.isEndless ? "endless, " : "";
     if (view.place) {
-        line += std::format("in {}: ", view.place->item);
-        const std::vector<Step> &steps = view.place->steps;
-        for (auto step = steps.begin(); step != steps.end();) {
-            const auto end = std::find_if(step, steps.end(), [&](const Step &other) { return other != *step; });
-            line += std::format("{}.{}", step->set, step->map);
-            line += end - step > 1 ? std::format("*{} ", end - step) : " ";
-            step = end;
-        }
+        line += "in " + textOf(*view.place);
         line += "at ";
     }
     return line + cameraWords(view.camera);

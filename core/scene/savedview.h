@@ -6,12 +6,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "core/formats/scenedescription.h"
-#include "core/fractal/step.h"
 #include "core/text/sourcerange.h"
 #include "core/text/textedit.h"
+#include "sceneplace.h"
 
 namespace romanesco {
 
@@ -21,17 +20,11 @@ namespace romanesco {
 ///     # view: (1, 2, -9) (0, 0.5, 0) 60 perspective
 ///     # view: endless, in 0: 0.3 0.7*12 1.4 at (0.1, 0, -0.2) (0, 0.5, 0) 60 perspective
 ///
-/// The camera is written as in an .sdo; after `in` come the number of the item that the place lies in and the steps from
-/// its root as SET.MAP, in the order of the text and from 0, *COUNT where one is repeated.
+/// The camera is written as in an .sdo; after `in` comes a ScenePlace.
 struct SavedView {
-    struct Place {
-        std::size_t item = 0;
-        std::vector<Step> steps;
-        bool operator==(const Place &) const = default;
-    };
     /// The node that the camera is counted from, with the world's axes and its own unit (see Anchor); without one it is
     /// the world.
-    std::optional<Place> place;
+    std::optional<ScenePlace> place;
     /// Without a range.
     SceneDescription::Camera camera;
     /// The depth is not the text's but without end.

@@ -234,6 +234,7 @@ std::expected<SceneCollider, std::string> SceneCollider::create(std::shared_ptr<
 {
     SceneCollider made;
     made.m_scene = std::move(scene);
+    made.m_kind = options.kind;
     made.m_excess = options.kind == ColliderKind::Approximate ? options.excess : 0.0;
     made.m_promise = promiseOf(options.kind, made.m_excess);
     Builder builder(made, options, stop);
@@ -251,13 +252,14 @@ std::expected<SceneCollider, std::string> SceneCollider::create(std::shared_ptr<
 
 SceneCollider SceneCollider::at(std::shared_ptr<const Surroundings> place) const
 {
-    assert(place->scene == m_scene && "colliders are shared");
+    assert(place->scene->items.size() == m_scene->items.size() && searchesBelow() && "colliders are shared");
     std::map<const Model *, std::shared_ptr<const Collider>> ofModel;
     for (const Placed &placed : m_placed) {
         ofModel[m_scene->items[placed.item].model.get()] = m_surfaces[placed.surface].collider;
     }
     SceneCollider made;
     made.m_scene = m_scene;
+    made.m_kind = m_kind;
     made.m_promise = m_promise;
     made.m_excess = m_excess;
     for (std::size_t i = 0; i < place->nodes.size(); ++i) {

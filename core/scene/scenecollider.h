@@ -45,10 +45,18 @@ public:
     [[nodiscard]] static std::expected<SceneCollider, std::string>
     create(std::shared_ptr<const Scene> scene, const Options &options, const std::stop_token &stop = {});
 
-    /// The same surface in the coordinates of a place, where what is near keeps its precision however deep that lies. Nothing of
-    /// what Surroundings leaves out is found. Only of kinds that search below a state: Exact and Approximate. Cost:
+    /// The same surface in the coordinates of a place of the same items, balls aside, where what is near keeps its precision however deep that lies. Nothing of
+    /// what Surroundings leaves out is found. Only where it searchesBelow(): Exact and Approximate. Cost:
     /// that of a box for each node; colliders are shared.
     [[nodiscard]] SceneCollider at(std::shared_ptr<const Surroundings> place) const;
+
+    /// Whether at() may be asked for.
+    [[nodiscard]] bool searchesBelow() const
+    {
+        return m_kind == ColliderKind::Exact || m_kind == ColliderKind::Approximate;
+    }
+    /// What its searches promise that are not cut short.
+    [[nodiscard]] Promise promise() const { return m_promise; }
 
     /// A SceneSearch.
     [[nodiscard]] std::unique_ptr<Search> search() const override;
@@ -85,7 +93,7 @@ private:
     std::vector<std::shared_ptr<const Mesh>> m_meshes;
     std::vector<Surface> m_surfaces;
     std::vector<Placed> m_placed;
-    /// What an answer promises that was not cut short.
+    ColliderKind m_kind = ColliderKind::Exact;
     Promise m_promise = Promise::Exact;
     double m_excess = 0.0;
 };
