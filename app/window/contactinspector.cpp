@@ -21,6 +21,8 @@ namespace romanesco {
 namespace {
 
 constexpr std::chrono::milliseconds restsAfter(300);
+/// Of the radius: balls lie so high at most.
+constexpr double touching = 1e-4;
 
 }
 
@@ -84,8 +86,8 @@ QString ContactInspector::wordsOf(const LiveSimulation::BallFrame &ball) const
         return lines.join(u'\n');
     }
     const double share = contact->overlap / ball.radius;
-    lines << (share < 0.0 ? tr("Nearest: face %1").arg(contact->face + 1)
-                          : tr("Touches face %1").arg(contact->face + 1));
+    lines << (share < -touching ? tr("Nearest: face %1").arg(contact->face + 1)
+                                : tr("Touches face %1").arg(contact->face + 1));
     if (m_naming) {
         lines << tr("of %1").arg(m_naming(contact->item, contact->address));
     }

@@ -121,6 +121,7 @@ private Q_SLOTS:
     void stepsAreSingle();
     void aClickDropsABall();
     void besideTheSurfaceNothingIsDropped();
+    void deepInsideBallsAreAsSmallAsWhatIsSeen();
     void itRains();
     void editsKeepTheBalls();
     void anErrorInTheTextStopsNothing();
@@ -185,7 +186,7 @@ void TestPhysics::aClickDropsABall()
     // it falls at once: before the front face
     QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, place);
     QVERIFY(sample.waitForBalls(1));
-    QVERIFY(sample.action(QStringLiteral("Play"))->isChecked());
+    QVERIFY(QTest::qWaitFor([&] { return sample.action(QStringLiteral("Play"))->isChecked(); }, 60'000));
     QVERIFY(sample.waitForStep(120)); // away from there
     const double radius = sample.balls.data(sample.balls.index(0, BallModel::Radius), Qt::DisplayRole).toDouble();
     QVERIFY(std::abs(radius - 0.02 * 3.0) < 1e-3); // two per cent of the cube
@@ -220,6 +221,48 @@ void TestPhysics::besideTheSurfaceNothingIsDropped()
     QCOMPARE(sample.said(), QStringLiteral("There is no surface to drop a ball on."));
     QTest::qWait(50);
     QCOMPARE(sample.balls.rowCount(), 0);
+}
+
+/// 1e-23 of the sponge.
+void TestPhysics::deepInsideBallsAreAsSmallAsWhatIsSeen()
+{
+    PhysicsSample sample;
+    QVERIFY(QFile::copy(QStringLiteral(":/examples/cube.obj"), sample.path(QStringLiteral("cube.obj"))));
+    QFile example(QStringLiteral(":/examples/menger.fdo"));
+    QVERIFY(example.open(QIODevice::ReadOnly));
+    QByteArray text = "# view: in 0: 0.9*50 at (0.2, 0.7, -9) (0, 0, 0) 40 perspective\n" + example.readAll();
+    text.replace("<$>. sponge 4", "<$>. sponge 54");
+    QVERIFY(sample.openAndWait(sample.write(QStringLiteral("deep.fdo"), text)) && sample.focusViewport());
+    QVERIFY(sample.viewport.view().surroundings()->unitExponent < -75.0);
+    sample.press(Qt::Key_B);
+    const QPoint place = sample.viewport.rect().center();
+    QTest::mouseMove(&sample.viewport, place);
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 60'000));
+    sample.named<QComboBox>(QStringLiteral("Colour"))->setCurrentText(QStringLiteral("Orange"));
+
+    // it leaves what is seen before it is seen to fall
+    QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, place);
+    QVERIFY(sample.waitForBalls(1));
+    QVERIFY2(sample.said().contains(QStringLiteral("Count it in radii")), qPrintable(sample.said()));
+    sample.action(QStringLiteral("Reset"))->trigger();
+    QVERIFY(sample.waitForBalls(0));
+
+    sample.named<QComboBox>(QStringLiteral("Unit of gravity"))->setCurrentText(QStringLiteral("radii"));
+    // into what is seen
+    sample.named<QDoubleSpinBox>(QStringLiteral("Gravity along y"))->setValue(0.0);
+    sample.named<QDoubleSpinBox>(QStringLiteral("Gravity along z"))->setValue(40.0);
+    const int before = sample.orangePixels();
+    QTest::mouseClick(&sample.viewport, Qt::LeftButton, {}, place);
+    QVERIFY(sample.waitForBalls(1));
+    const double radius = sample.balls.data(sample.balls.index(0, BallModel::Radius), Qt::DisplayRole).toDouble();
+    QVERIFY(radius > 1e-26 && radius < 1e-23);
+    QVERIFY(sample.waitForStep(10));
+    QVERIFY(sample.orangePixels() > before + 20);
+    QVERIFY(sample.waitForRest(0));
+    const auto *ball = sample.physics.inspector().ballAt(place);
+    QVERIFY(ball);
+    const QString words = sample.physics.inspector().wordsOf(*ball);
+    QVERIFY2(words.contains(QStringLiteral("Touches face")), qPrintable(words));
 }
 
 void TestPhysics::itRains()
