@@ -79,6 +79,8 @@ class TestDeepBalls : public QObject
 private Q_SLOTS:
     void theSameDropIsTheSameAtEveryDepth_data();
     void theSameDropIsTheSameAtEveryDepth();
+    void gravityIsThatOfTheWorld();
+    void gravityInRadiiSuitsEachBall();
     void aTinyBallOfASceneIsCountedFromNearby();
     void whatLeavesAPlaceIsHeldByTheScene();
     void recordingsHoldPlaces();
@@ -128,6 +130,59 @@ void TestDeepBalls::theSameDropIsTheSameAtEveryDepth()
     QVERIFY(deepest <= 1e-3);
     // bounces begin anywhere in the skin of 1e-4 radii
     QVERIFY(farthest <= 1e-2);
+}
+
+/// In a place of its own a ball falls as it does in the world.
+void TestDeepBalls::gravityIsThatOfTheWorld()
+{
+    const Sponge sponge(3);
+    const auto origin = Anchor::at(sponge.scene, sponge.place)->surroundings();
+    const double unit = std::exp2(origin->unitExponent);
+    World::Options options;
+    options.laws.gravity = {0.02, -0.05, 0.01};
+    auto there = sponge.start(options);
+    auto inWorld = sponge.start(options);
+    for (const Ball &ball : ballsOver(10)) {
+        QVERIFY(there.apply({0, Recording::Drop{ball, sponge.place}}));
+        QVERIFY(inWorld.apply({0, Recording::Drop{romanesco::inWorld(ball, origin.get())}}));
+    }
+    for (int step = 0; step < 480; ++step) {
+        there.step();
+        inWorld.step();
+        for (std::size_t i = 0; i < 10; ++i) {
+            const Ball ball = romanesco::inWorld(there.world().balls()[i], origin.get());
+            const BallState &expected = inWorld.world().balls()[i];
+            QVERIFY(glm::distance(ball.position, expected.position) < 1e-2 * ball.radius);
+        }
+    }
+    QVERIFY(there.world().balls()[0].position.y < 1.6 && unit < 0.04);
+}
+
+/// Of all sizes, flying and one on another, as one would with as much of its own.
+void TestDeepBalls::gravityInRadiiSuitsEachBall()
+{
+    Ground ground({{.model = modelOf(boxMesh(1)), .worldFromModel = mapFromParts({0, -1e3, 0}, {}, glm::dvec3(1e3))}});
+    World world(ground.surface, inRadii());
+    const double radii[]{1e-3, 1.0, 50.0};
+    for (const double radius : radii) {
+        const glm::dvec3 place(-8.0 * radius, 0.0, 0.0);
+        world.add({.position = place + glm::dvec3(0, 5 * radius, 0), .radius = radius, .restitution = 0.0});
+        world.add({.position = glm::dvec3(200.0 + 8.0 * radius, radius, 0), .radius = radius, .restitution = 0.0});
+        world.add({.position = glm::dvec3(200.0 + 8.0 * radius, 3 * radius, 0), .radius = radius, .restitution = 0.0});
+    }
+    for (int step = 0; step < 60; ++step) {
+        world.step();
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        // 20·t² radii in a quarter of a second
+        QVERIFY(std::abs((5.0 - world.balls()[3 * i].position.y / radii[i]) - 20.0 / 16.0) < 1e-9);
+    }
+    for (int step = 0; step < 240; ++step) {
+        world.step();
+    }
+    for (const BallState &ball : world.balls()) {
+        QVERIFY2(ball.isAsleep, qPrintable(QString::number(ball.radius)));
+    }
 }
 
 /// It lands on what is there: as one of usual size does in a place of its own.
