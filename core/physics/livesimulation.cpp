@@ -3,11 +3,7 @@
 #include "livesimulation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
-
-#include <glm/geometric.hpp>
 
 namespace romanesco {
 
@@ -21,12 +17,6 @@ using Seconds = std::chrono::duration<double>;
 constexpr auto betweenFrames = 8ms;
 /// What is behind by more is not caught up with.
 constexpr auto mostDebt = 50ms;
-constexpr auto measuredFor = 500ms;
-
-double massOf(const Ball &ball)
-{
-    return 4.0 / 3.0 * std::numbers::pi * ball.radius * ball.radius * ball.radius;
-}
 
 }
 
@@ -140,13 +130,13 @@ public:
     {
         m_isPlaying = start();
         m_due = Clock::now();
-        restartFigures();
+        m_meter.begin();
     }
 
     void pause()
     {
         m_isPlaying = false;
-        m_figures.realTimeFactor = 0.0;
+        m_meter.end();
     }
 
     void step()
@@ -165,7 +155,7 @@ public:
         m_remark.clear();
         m_numbers.clear();
         m_marks.clear();
-        m_figures = {};
+        m_meter.clear();
     }
 
     void drop(const std::vector<Ball> &balls, unsigned mark, const std::optional<ScenePlace> &place)
@@ -223,7 +213,7 @@ public:
         }
         m_replay.emplace(Replay{std::move(recording)});
         m_due = Clock::now();
-        restartFigures();
+        m_meter.begin();
     }
 
 private:
@@ -365,7 +355,7 @@ private:
     {
         const Clock::time_point begun = Clock::now();
         m_simulation->step();
-        measure(Clock::now() - begun);
+        m_meter.add(Clock::now() - begun, m_simulation->world(), m_isPlaying);
     }
 
     // ---- What is told
@@ -374,54 +364,13 @@ private:
 
     [[nodiscard]] double wayOfStep() const { return m_simulation->world().options().laws.timeStep / m_speed; }
 
-    void restartFigures()
-    {
-        m_measured = {};
-        m_measuredFrom = Clock::now();
-    }
-
-    void measure(Clock::duration taken)
-    {
-        ++m_measured.steps;
-        m_measured.taken += taken;
-        for (const StepReport &report : m_simulation->world().reports()) {
-            m_measured.queries += report.queries;
-            m_measured.faceTests += report.cost.faceTests;
-        }
-        const Seconds gone = Clock::now() - m_measuredFrom;
-        if (gone < measuredFor && m_isPlaying) {
-            return;
-        }
-        const auto queries = static_cast<double>(m_measured.queries);
-        const auto steps = static_cast<double>(m_measured.steps);
-        const double seconds = Seconds(m_measured.taken).count();
-        m_figures.faceTests = queries > 0.0 ? static_cast<double>(m_measured.faceTests) / queries : 0.0;
-        m_figures.nanoseconds = queries > 0.0 ? 1e9 * seconds / queries : 0.0;
-        m_figures.milliseconds = 1e3 * seconds / steps;
-        m_figures.realTimeFactor =
-            m_isPlaying ? steps * m_simulation->world().options().laws.timeStep / gone.count() : 0.0;
-        restartFigures();
-    }
-
-    [[nodiscard]] double energyOf(const World &world) const
-    {
-        double energy = 0.0;
-        for (const BallState &state : world.balls()) {
-            const Ball ball = inWorld(state, m_simulation->places().surroundings(state.place).get());
-            energy += massOf(ball)
-                * (0.5 * glm::dot(ball.velocity, ball.velocity)
-                   - glm::dot(world.options().laws.gravityOn(ball), ball.position));
-        }
-        return energy;
-    }
-
     void tell()
     {
         Frame frame;
         frame.isStarted = m_simulation.has_value();
         frame.isPlaying = m_isPlaying;
         frame.isReplaying = m_replay.has_value();
-        frame.figures = m_figures;
+        frame.figures = m_meter.figures();
         frame.remark = m_remark;
         if (m_simulation) {
             const World &world = m_simulation->world();
@@ -430,7 +379,7 @@ private:
             frame.timeStep = world.options().laws.timeStep;
             frame.due = m_due;
             frame.way = Seconds(m_isPlaying ? wayOfStep() : 0.0);
-            frame.energy = energyOf(world);
+            frame.energy = m_simulation->energy();
             frame.lostSteps = world.lostSteps();
             for (std::uint32_t place = 0; place < world.placeCount(); ++place) {
                 frame.places.push_back({m_simulation->places().surroundings(place), world.surface(place)});
@@ -484,15 +433,7 @@ private:
     Clock::time_point m_due;
     Clock::time_point m_told;
 
-    struct Measured {
-        std::uint64_t steps = 0;
-        std::uint64_t queries = 0;
-        std::uint64_t faceTests = 0;
-        Clock::duration taken{0};
-    };
-    Measured m_measured;
-    Clock::time_point m_measuredFrom;
-    Figures m_figures;
+    StepMeter m_meter;
 
     /// Last: it starts when all the rest is there.
     std::jthread m_thread;

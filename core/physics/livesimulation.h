@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "simulation.h"
+#include "stepmeter.h"
 
 namespace romanesco {
 
@@ -52,17 +53,6 @@ public:
         std::shared_ptr<const Surface> surface;
     };
 
-    /// Of the last half second or so.
-    struct Figures {
-        /// Of each query; 0 where there was none.
-        double faceTests = 0.0;
-        double nanoseconds = 0.0;
-        /// Of each step.
-        double milliseconds = 0.0;
-        /// Simulated seconds for each that went by; 0 while nothing goes on.
-        double realTimeFactor = 0.0;
-    };
-
     /// What there is to see. Immutable.
     struct Frame {
         /// Empty unless isStarted.
@@ -78,7 +68,7 @@ public:
         /// When balls are where they are after the last step, and how long they take there from where they were before.
         Clock::time_point due;
         std::chrono::duration<double> way{0.0};
-        Figures figures;
+        StepMeter::Figures figures;
         /// Kinetic and of height, of all balls, in the world's units: their mass is their volume.
         double energy = 0.0;
         unsigned contacts = 0;

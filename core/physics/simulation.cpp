@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <format>
+#include <numbers>
+
+#include <glm/geometric.hpp>
 
 #include "scenephysics.h"
 
@@ -90,6 +93,19 @@ std::expected<void, std::string> Simulation::setScene(std::shared_ptr<const Scen
     std::ranges::transform(m_world->balls(), m_before.begin(), &BallState::position);
     m_isRecorded = false;
     return {};
+}
+
+double Simulation::energy() const
+{
+    double energy = 0.0;
+    for (const BallState &state : m_world->balls()) {
+        const Ball ball = inWorld(state, m_places->surroundings(state.place).get());
+        const double mass = 4.0 / 3.0 * std::numbers::pi * ball.radius * ball.radius * ball.radius;
+        energy += mass
+            * (0.5 * glm::dot(ball.velocity, ball.velocity)
+               - glm::dot(m_world->options().laws.gravityOn(ball), ball.position));
+    }
+    return energy;
 }
 
 Recording Simulation::recording() const

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] const World &world() const { return *m_world; }
     /// Where each ball was before the last step, counted from where it is now.
     [[nodiscard]] std::span<const glm::dvec3> before() const { return m_before; }
+    /// Kinetic and of height, of all balls, in the world's units: their mass is their volume.
+    [[nodiscard]] double energy() const;
     [[nodiscard]] const BallPlaces &places() const { return *m_places; }
     /// Whether all that was done is in the recording.
     [[nodiscard]] bool isRecorded() const { return m_isRecorded; }
