@@ -158,30 +158,39 @@ void TestDeepBalls::gravityIsThatOfTheWorld()
     QVERIFY(there.world().balls()[0].position.y < 1.6 && unit < 0.04);
 }
 
-/// Of all sizes, flying and one on another, as one would with as much of its own.
+/// Heaps of all sizes come down as one another, measured in radii: they fall, hit, slide and fall asleep alike.
 void TestDeepBalls::gravityInRadiiSuitsEachBall()
 {
-    Ground ground({{.model = modelOf(boxMesh(1)), .worldFromModel = mapFromParts({0, -1e3, 0}, {}, glm::dvec3(1e3))}});
-    World world(ground.surface, inRadii());
-    const double radii[]{1e-3, 1.0, 50.0};
-    for (const double radius : radii) {
-        const glm::dvec3 place(-8.0 * radius, 0.0, 0.0);
-        world.add({.position = place + glm::dvec3(0, 5 * radius, 0), .radius = radius, .restitution = 0.0});
-        world.add({.position = glm::dvec3(200.0 + 8.0 * radius, radius, 0), .radius = radius, .restitution = 0.0});
-        world.add({.position = glm::dvec3(200.0 + 8.0 * radius, 3 * radius, 0), .radius = radius, .restitution = 0.0});
+    std::vector<std::vector<BallState>> ends;
+    for (const double size : {1.0, 1.0 / 1024.0, 64.0}) {
+        Ground ground(boxMesh(4.0 * size));
+        World world(ground.surface, inRadii());
+        std::mt19937_64 random(2);
+        for (int i = 0; i < 24; ++i) {
+            const glm::dvec3 cell(i % 3 - 1, i / 9 - 1, i / 3 % 3 - 1);
+            const double radius = i % 2 ? 0.8 : 1.1;
+            world.add({.position = size * (2.6 * cell + randomPoint(random, 0.1)),
+                       .radius = size * radius,
+                       .restitution = 0.3});
+        }
+        bool hasPiled = false;
+        for (int step = 0; step < 2'000; ++step) {
+            world.step();
+            hasPiled = hasPiled || std::ranges::any_of(world.balls(), &BallState::isPiled);
+        }
+        QVERIFY(hasPiled);
+        std::vector<BallState> end(world.balls().begin(), world.balls().end());
+        for (BallState &ball : end) {
+            ball.position /= size;
+        }
+        ends.push_back(std::move(end));
     }
-    for (int step = 0; step < 60; ++step) {
-        world.step();
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-        // 20·t² radii in a quarter of a second
-        QVERIFY(std::abs((5.0 - world.balls()[3 * i].position.y / radii[i]) - 20.0 / 16.0) < 1e-9);
-    }
-    for (int step = 0; step < 240; ++step) {
-        world.step();
-    }
-    for (const BallState &ball : world.balls()) {
-        QVERIFY2(ball.isAsleep, qPrintable(QString::number(ball.radius)));
+    for (const auto &end : ends) {
+        for (std::size_t i = 0; i < end.size(); ++i) {
+            QVERIFY(glm::distance(end[i].position, ends[0][i].position) < 1e-9);
+            QCOMPARE(end[i].isAsleep, ends[0][i].isAsleep);
+            QCOMPARE(end[i].calmSteps, ends[0][i].calmSteps);
+        }
     }
 }
 
@@ -220,7 +229,10 @@ void TestDeepBalls::whatLeavesAPlaceIsHeldByTheScene()
     items.push_back({.model = modelOf(boxMesh(20))});
     World::Options options;
     options.laws.gravity = glm::dvec3(0.0);
+    options.shrinkRate = 0.1;
+    options.areSolid = false;
     auto simulation = Simulation::start(sceneOf(items), options, {}).value();
+    std::vector<double> speeds;
     const auto unit = std::exp2(Anchor::at(sceneOf(items), sponge.place)->surroundings()->unitExponent);
     std::mt19937_64 random(8);
     constexpr int count = 60;
@@ -228,6 +240,7 @@ void TestDeepBalls::whatLeavesAPlaceIsHeldByTheScene()
         // seen from outside, below and beside the whole, it is free
         const glm::dvec3 out = glm::normalize(glm::dvec3(uniform(random, -0.4, 0.4), -1.0, uniform(random, 1.0, 2.0)));
         const double speed = std::pow(10.0, uniform(random, 0.0, 4.0));
+        speeds.push_back(speed);
         Ball ball{glm::dvec3(0.0, -1.7, 1.7), speed / unit * out, 0.01, 1.0};
         QVERIFY(simulation.apply({0, Recording::Drop{ball, sponge.place}}));
         QVERIFY(simulation.world().balls().back().place > 0 || speed > 1.0);
@@ -240,10 +253,20 @@ void TestDeepBalls::whatLeavesAPlaceIsHeldByTheScene()
             QVERIFY(glm::all(glm::lessThan(glm::abs(position), glm::dvec3(20.0 + 1e-9))));
         }
     }
-    for (const BallState &ball : simulation.world().balls()) {
-        const auto &here = simulation.places().surroundings(ball.place);
+    int whole = 0;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        const BallState &state = simulation.world().balls()[i];
+        const auto &here = simulation.places().surroundings(state.place);
         QVERIFY(!here || here->unitExponent > -30.0);
+        const Ball ball = inWorld(state, here.get());
+        const double share = glm::length(ball.velocity) / speeds[i];
+        QVERIFY(share < 1.0 + 1e-9);
+        whole += share > 1.0 - 1e-6 ? 1 : 0;
+        QVERIFY(std::abs(ball.radius / (0.01 * unit * std::exp(-0.1)) - 1.0) < 1e-9);
     }
+    // where it goes so fast the skin of so small a ball is rounding: what grazes is taken for sliding
+    qInfo("%d of %d keep their speed", whole, count);
+    QVERIFY(whole >= count / 2);
 }
 
 void TestDeepBalls::recordingsHoldPlaces()

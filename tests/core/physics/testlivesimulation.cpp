@@ -239,6 +239,7 @@ void TestLiveSimulation::whatIsDoneIsRecordedAndReplayed()
     World::Options rules;
     rules.laws.gravity = {1.0, 2.0, 3.0};
     rules.shrinkRate = 0.5;
+    rules.laws.isGravityInRadii = true;
     live.setRules(rules);
     makeSteps(live, 20);
     live.setCollider({ColliderKind::Bvh, 0.0});
