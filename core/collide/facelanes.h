@@ -8,6 +8,7 @@
 
 #include "core/geometry/affinemap.h"
 #include "core/geometry/mesh.h"
+#include "core/geometry/movingsphere.h"
 #include "lanes.h"
 
 namespace romanesco {
@@ -40,5 +41,12 @@ void placeFaces(std::span<const CornerLanes> corners, const AffineMap &map, Face
 /// from p to any of its corners. The nearest of the three edges, unless the foot on the plane is inside.
 void faceDistances(std::span<const FaceLanes> faces, const glm::dvec3 &p, double *distances);
 constexpr double errorOfFaceDistances = 0x1p-46;
+
+/// How far a sphere, which starts at p and touches nothing before a way, comes before it touches each triangle: never more
+/// than it is but for rounding, as if the radius were less by 64 units in the last place of the largest coordinate of a
+/// corner, seen from p, or of the radius. Infinite where it never touches. Within a thousandth of the radius for most that
+/// are plain, or beyond `until`.
+void waysToFaces(std::span<const FaceLanes> faces, const glm::dvec3 &p, const MovingSphere &sphere, double from,
+                 double until, double *ways);
 
 }

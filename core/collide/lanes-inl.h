@@ -80,6 +80,13 @@ HWY_INLINE Point times(const Point &a, Vector factor)
     return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
 }
 
+template<typename Mask>
+HWY_INLINE Point choose(Mask isFirst, const Point &first, const Point &second)
+{
+    return {hn::IfThenElse(isFirst, first.x, second.x), hn::IfThenElse(isFirst, first.y, second.y),
+            hn::IfThenElse(isFirst, first.z, second.z)};
+}
+
 /// 0 of 0.
 HWY_INLINE Vector inverseOf(Vector x)
 {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <glm/common.hpp>
 
@@ -68,6 +69,39 @@ void measureFaces(std::span<const FaceLanes> faces, std::size_t count, const glm
     }
 }
 
+/// What ways in lanes may be off by, of the largest coordinate, or radius, or way.
+constexpr double errorOfWays = 64.0 * std::numeric_limits<double>::epsilon();
+
+/// As measureFaces(); reach as seen from the start of the sphere, which is at p. triangleOf(face) as seen from there.
+void sweepFaces(std::span<const FaceLanes> faces, std::size_t count, const glm::dvec3 &p, double reach,
+                const MovingSphere &sphere, double from, double limit, double slack, const auto &triangleOf,
+                SweptFace &found)
+{
+    found = {.faceTests = count};
+    const MovingSphere grown{sphere.direction, sphere.radius + errorOfWays * (reach + sphere.radius + from)};
+    std::array<double, LeafFaces::most> lanes;
+    const std::span ways = std::span(lanes).first(count);
+    waysToFaces(faces, p, grown, from, limit, lanes.data());
+    double until = limit;
+    for (;;) {
+        const std::size_t first = leastOf(ways);
+        const double way = std::exchange(ways[first], infinity);
+        if (!(way <= until) || way == infinity) {
+            found.lower = std::min(found.lower, way);
+            return;
+        }
+        const Triangle triangle = triangleOf(first);
+        const TriangleTouch touched = touch(triangle, sphere, way, until);
+        found.lower = std::min(found.lower, touched.way);
+        if (touched.isTouch && (found.face == Mesh::none || touched.way < found.way)) {
+            found.way = touched.way;
+            found.face = static_cast<std::uint32_t>(first);
+            found.triangle = triangle;
+            until = earlierThan(touched.way, slack);
+        }
+    }
+}
+
 }
 
 LeafFaces::LeafFaces(const Mesh &mesh)
@@ -89,9 +123,8 @@ LeafFaces::LeafFaces(const Mesh &mesh)
 
 void LeafFaces::measure(const glm::dvec3 &p, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const
 {
-    const double reach = largest(glm::max(glm::abs(p - m_box.least), glm::abs(m_box.greatest - p)));
     measureFaces(
-        m_faces, m_mesh.faces.size(), p, reach, limit, motion,
+        m_faces, m_mesh.faces.size(), p, reachFrom(p), limit, motion,
         [&](std::size_t face) { return triangleOf(m_mesh, static_cast<std::uint32_t>(face)); }, hit);
 }
 
@@ -99,18 +132,49 @@ void LeafFaces::measure(const AffineMap &map, double limit, const std::optional<
 {
     std::array<FaceLanes, mostBlocks> placed;
     placeFaces(m_corners, map, placed.data());
+    measureFaces(
+        std::span(placed).first(m_corners.size()), m_mesh.faces.size(), glm::dvec3(0.0), reachOf(map), limit, motion,
+        [&](std::size_t face) { return placedTriangle(map, face); }, hit);
+}
+
+void LeafFaces::sweep(const glm::dvec3 &start, const MovingSphere &sphere, double from, double limit, double slack,
+                      SweptFace &found) const
+{
+    sweepFaces(
+        m_faces, m_mesh.faces.size(), start, reachFrom(start), sphere, from, limit, slack,
+        [&](std::size_t face) {
+            const Triangle triangle = triangleOf(m_mesh, static_cast<std::uint32_t>(face));
+            return Triangle{triangle[0] - start, triangle[1] - start, triangle[2] - start};
+        },
+        found);
+}
+
+void LeafFaces::sweep(const AffineMap &map, const MovingSphere &sphere, double from, double limit, double slack,
+                      SweptFace &found) const
+{
+    std::array<FaceLanes, mostBlocks> placed;
+    placeFaces(m_corners, map, placed.data());
+    sweepFaces(
+        std::span(placed).first(m_corners.size()), m_mesh.faces.size(), glm::dvec3(0.0), reachOf(map), sphere, from,
+        limit, slack, [&](std::size_t face) { return placedTriangle(map, face); }, found);
+}
+
+double LeafFaces::reachFrom(const glm::dvec3 &p) const
+{
+    return largest(glm::max(glm::abs(p - m_box.least), glm::abs(m_box.greatest - p)));
+}
+
+double LeafFaces::reachOf(const AffineMap &map) const
+{
     const glm::dvec3 half = 0.5 * m_box.size();
-    const glm::dvec3 reach = glm::abs(map(m_box.centre())) + glm::abs(map.linear[0]) * half.x
-        + glm::abs(map.linear[1]) * half.y + glm::abs(map.linear[2]) * half.z;
-    const auto placedTriangle = [&](std::size_t face) {
-        Triangle triangle = triangleOf(m_mesh, static_cast<std::uint32_t>(face));
-        for (glm::dvec3 &vertex : triangle) {
-            vertex = map(vertex);
-        }
-        return triangle;
-    };
-    measureFaces(std::span(placed).first(m_corners.size()), m_mesh.faces.size(), glm::dvec3(0.0), largest(reach), limit,
-                 motion, placedTriangle, hit);
+    return largest(glm::abs(map(m_box.centre())) + glm::abs(map.linear[0]) * half.x + glm::abs(map.linear[1]) * half.y
+                   + glm::abs(map.linear[2]) * half.z);
+}
+
+Triangle LeafFaces::placedTriangle(const AffineMap &map, std::size_t face) const
+{
+    const Triangle triangle = triangleOf(m_mesh, static_cast<std::uint32_t>(face));
+    return {map(triangle[0]), map(triangle[1]), map(triangle[2])};
 }
 
 std::size_t LeafFaces::memoryUse() const

@@ -12,6 +12,7 @@
 #include "core/geometry/mesh.h"
 #include "descent.h"
 #include "facelanes.h"
+#include "facesweep.h"
 
 namespace romanesco {
 
@@ -33,7 +34,18 @@ public:
     /// The same for the origin, of what a map makes of the mesh. Twice the cost.
     void measure(const AffineMap &map, double limit, const std::optional<glm::dvec3> &motion, LeafHit &hit) const;
 
+    /// The face that a sphere touches first: as FaceSweep::sweep(), for one that touches nothing before a way.
+    void sweep(const glm::dvec3 &start, const MovingSphere &sphere, double from, double limit, double slack,
+               SweptFace &found) const;
+    void sweep(const AffineMap &map, const MovingSphere &sphere, double from, double limit, double slack,
+               SweptFace &found) const;
+
 private:
+    /// No coordinate of a corner, seen from p, is larger.
+    [[nodiscard]] double reachFrom(const glm::dvec3 &p) const;
+    [[nodiscard]] double reachOf(const AffineMap &map) const;
+    [[nodiscard]] Triangle placedTriangle(const AffineMap &map, std::size_t face) const;
+
     const Mesh &m_mesh;
     Box m_box;
     std::vector<CornerLanes> m_corners;

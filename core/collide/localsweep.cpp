@@ -40,7 +40,8 @@ LocalSweep::LocalSweep(const FractalGraph &graph, const LocalFrames::Inverses &i
     : m_graph(graph)
     , m_inverses(inverses)
     , m_frames(graph, inverses, mesh, tree, faces)
-    , m_faces(mesh, tree)
+    , m_tree(mesh, tree)
+    , m_faces(faces)
 {
 }
 
@@ -82,17 +83,6 @@ void LocalSweep::raiseToHulls(const Frame &frame, const Children &children, std:
     }
 }
 
-double LocalSweep::wayToBox(const Frame &frame, const DescentStep &step, const Box &box, double error, double from,
-                            double until) const
-{
-    const LocalFrames::Inverse inverse = step.isToMesh() ? LocalFrames::Inverse{} : m_inverses[step.set][step.map];
-    const glm::dvec3 start = inverse.turned(frame.at.p);
-    const BoxBody body{{box.least * inverse.scale - start, box.greatest * inverse.scale - start}};
-    MovingSphere sphere = sphereIn(frame, error);
-    sphere.direction = inverse.turned.linear * sphere.direction;
-    return wayTo(body, sphere, from / frame.at.unit, until / frame.at.unit) * frame.at.unit;
-}
-
 double LocalSweep::wayToFine(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls, double error,
                              double from, double until) const
 {
@@ -110,10 +100,15 @@ double LocalSweep::sizeOf(const Frame &frame, const BoundedStates::Bounds &bound
     return m_frames.sizeOf(frame.at, bounds) * frame.at.unit;
 }
 
-void LocalSweep::measure(const Frame &frame, double limit, double slack, SweptFace &found)
+void LocalSweep::measure(const Frame &frame, double from, double limit, double slack, SweptFace &found)
 {
     const double unit = frame.at.unit;
-    m_faces.sweep(frame.at.p, sphereIn(frame, frame.at.error), limit / unit, slack / unit, found);
+    const MovingSphere sphere = sphereIn(frame, frame.at.error);
+    if (m_faces.isEmpty()) {
+        m_tree.sweep(frame.at.p, sphere, limit / unit, slack / unit, found);
+    } else {
+        m_faces.sweep(frame.at.p, sphere, from / unit, limit / unit, slack / unit, found);
+    }
     scale(found, unit);
 }
 

@@ -46,22 +46,22 @@ public:
         return LocalFrames::magnitudeOf(frame.at, children);
     }
 
-    /// Before which the sphere, grown by an error, does not touch each child: of its box, perhaps roughly.
+    /// Whether waysTo() leaves nothing of a box to wayToBox(); there is none then.
+    static constexpr bool waysAreToBoxes = true;
+    /// Before which the sphere, grown by an error, does not touch the box of each child.
     void waysTo(const Frame &frame, const Children &children, double error, double *ways) const;
     /// Puts in the ways to the coarse hulls of a block of children, where they are longer.
     void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double error,
                       double *ways) const;
-    /// The way to one child, of which a shorter one is known: to its box, exactly, or its fine hull.
-    [[nodiscard]] double wayToBox(const Frame &frame, const DescentStep &step, const Box &box, double error,
-                                  double from, double until) const;
+    /// The way to one child's fine hull, of which a shorter one is known.
     [[nodiscard]] double wayToFine(const Frame &frame, const DescentStep &step, const HullBounds::Hulls &hulls,
                                    double error, double from, double until) const;
 
     /// How far points of a box are apart at most.
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 
-    /// The face of the mesh in the frame that is touched first: see FaceSweep.
-    void measure(const Frame &frame, double limit, double slack, SweptFace &found);
+    /// The face of the mesh in the frame that is touched first: see FaceSweep. Nothing of it is touched before `from`.
+    void measure(const Frame &frame, double from, double limit, double slack, SweptFace &found);
     /// The same for any point of a box that is too small to tell its points apart.
     void measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const;
 
@@ -77,7 +77,8 @@ private:
     const FractalGraph &m_graph;
     const LocalFrames::Inverses &m_inverses;
     LocalFrames m_frames;
-    FaceSweep m_faces;
+    FaceSweep m_tree;
+    const LeafFaces &m_faces;
     double m_radius = 0.0;
     /// Bounds all numbers that ways are computed from.
     double m_reach = 0.0;

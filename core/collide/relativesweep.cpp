@@ -11,7 +11,8 @@ RelativeSweep::RelativeSweep(const FractalGraph &graph, const Mesh &mesh, const 
     : m_graph(graph)
     , m_worldFromModel(worldFromModel)
     , m_frames(graph, mesh, tree, faces, worldFromModel)
-    , m_faces(mesh, tree)
+    , m_tree(mesh, tree)
+    , m_faces(faces)
 {
 }
 
@@ -70,9 +71,14 @@ double RelativeSweep::sizeOf(const Frame &frame, const BoundedStates::Bounds &bo
     return m_frames.sizeOf(frame.at, bounds);
 }
 
-void RelativeSweep::measure(const Frame &frame, double limit, double slack, SweptFace &found)
+void RelativeSweep::measure(const Frame &frame, double from, double limit, double slack, SweptFace &found)
 {
-    m_faces.sweep(frame.at.map, grown(frame.at.error), limit, slack, found);
+    const MovingSphere sphere = grown(frame.at.error);
+    if (m_faces.isEmpty()) {
+        m_tree.sweep(frame.at.map, sphere, limit, slack, found);
+    } else {
+        m_faces.sweep(frame.at.map, sphere, from, limit, slack, found);
+    }
 }
 
 void RelativeSweep::measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const

@@ -42,6 +42,7 @@ public:
         return RelativeFrames::magnitudeOf(frame.at, children);
     }
 
+    static constexpr bool waysAreToBoxes = false;
     void waysTo(const Frame &frame, const Children &children, double error, double *ways) const;
     void raiseToHulls(const Frame &frame, const Children &children, std::size_t block, double error,
                       double *ways) const;
@@ -52,7 +53,7 @@ public:
 
     [[nodiscard]] double sizeOf(const Frame &frame, const BoundedStates::Bounds &bounds) const;
 
-    void measure(const Frame &frame, double limit, double slack, SweptFace &found);
+    void measure(const Frame &frame, double from, double limit, double slack, SweptFace &found);
     void measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const;
 
     double finish(const Frame &frame, const SweptFace &found, std::span<const DescentStep> steps, double slack,
@@ -64,7 +65,8 @@ private:
     const FractalGraph &m_graph;
     AffineMap m_worldFromModel;
     RelativeFrames m_frames;
-    FaceSweep m_faces;
+    FaceSweep m_tree;
+    const LeafFaces &m_faces;
     glm::dvec3 m_start{0.0};
     MovingSphere m_sphere;
     double m_reach = 0.0;

@@ -50,7 +50,7 @@ public:
         if (!isOfNumbers) {
             drop(0.0);
         } else if (!box.isEmpty()) {
-            visit({.state = m_states.begin()}, frame);
+            visit({.state = m_states.begin()}, frame, 0.0);
             while (!m_nodes.empty() && m_cost.nodeVisits < sweep.nodeBudget && !sweep.stop.stop_requested()) {
                 goOn();
             }
@@ -77,6 +77,8 @@ private:
     struct Known {
         std::span<const DescentStep> children;
         typename Frames::Children bounds;
+        /// At first, in whole lanes.
+        std::vector<Tightness> tightness;
     };
 
     /// A state that is being looked at. Its children are not touched before their ways; infinite where they were visited.
@@ -123,7 +125,7 @@ private:
         const DescentStep &step = node.known->children[child];
         const double from = std::exchange(way, infinity);
         if (step.isToMesh()) {
-            measure(node.frame);
+            measure(node.frame, from);
         } else {
             goDown(node, step, from);
         }
@@ -138,7 +140,9 @@ private:
         Tightness &tightness = m_tightness[node.firstWay + child];
         switch (tightness) {
         case Tightness::OfGrownBox:
-            way = std::max(way, m_frames.wayToBox(node.frame, step, bounds.box, node.error, way, m_until));
+            if constexpr (!Frames::waysAreToBoxes) {
+                way = std::max(way, m_frames.wayToBox(node.frame, step, bounds.box, node.error, way, m_until));
+            }
             tightness = bounds.hulls ? Tightness::OfBox : Tightness::Final;
             return true;
         case Tightness::OfBox:
@@ -175,14 +179,14 @@ private:
             settle(step, frame, bounds.box, way);
         } else {
             m_path.push_back(step);
-            visit(step, frame);
+            visit(step, frame, way);
         }
     }
 
-    void visit(const DescentStep &step, const Frame &frame)
+    void visit(const DescentStep &step, const Frame &frame, double way)
     {
         if (m_states.isMesh(step.state)) {
-            measure(frame);
+            measure(frame, way);
             stepBack();
         } else {
             enter(step.state, frame);
@@ -200,10 +204,10 @@ private:
         stepBack();
     }
 
-    void measure(const Frame &frame)
+    void measure(const Frame &frame, double from)
     {
         ++m_cost.nodeVisits;
-        m_frames.measure(frame, m_until, m_slack, m_latest);
+        m_frames.measure(frame, from, m_until, m_slack, m_latest);
         m_cost.faceTests += m_latest.faceTests;
         take(frame);
     }
@@ -235,9 +239,8 @@ private:
             m_frames.errorOf(frame, known.bounds) + m_products.error() * m_frames.magnitudeOf(frame, known.bounds);
         const std::size_t first = m_ways.size();
         m_nodes.push_back({&known, frame, error, first});
-        const std::size_t count = blocksFor(known.children.size()) * laneCount;
-        m_ways.resize(first + count);
-        m_tightness.resize(first + count, Tightness::OfGrownBox);
+        m_ways.resize(first + known.tightness.size());
+        m_tightness.insert(m_tightness.end(), known.tightness.begin(), known.tightness.end());
         m_frames.waysTo(frame, known.bounds, error, m_ways.data() + first);
         std::fill(m_ways.begin() + static_cast<std::ptrdiff_t>(first + known.children.size()), m_ways.end(), infinity);
         m_products.leaveOut(m_path, known.children, m_ways.data() + first);
@@ -252,6 +255,14 @@ private:
         if (known.children.empty()) {
             known.children = m_states.children(state);
             known.bounds = m_frames.boundsOf(known.children, m_states);
+            known.tightness.resize(blocksFor(known.children.size()) * laneCount, Tightness::Final);
+            for (std::size_t i = 0; i < known.children.size(); ++i) {
+                const DescentStep &step = known.children[i];
+                const bool hasHulls = !step.isToMesh() && m_states.bounds(step.state).hulls != nullptr;
+                known.tightness[i] = !Frames::waysAreToBoxes ? Tightness::OfGrownBox
+                    : hasHulls                               ? Tightness::OfBox
+                                                             : Tightness::Final;
+            }
         }
         return known;
     }

@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "core/collide/facelanes.h"
 
+#include <limits>
 #include <numeric>
+#include <random>
 
 #include "core/collide/leaffaces.h"
+#include "core/geometry/movingsphere.h"
 #include "tests/core/collide/bruteforce.h"
 #include "tests/core/collide/instructionsets.h"
 #include "tests/core/geometry/triangles.h"
@@ -13,6 +16,8 @@
 namespace romanesco::test {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Faces that share no corners.
 Mesh meshOf(std::span<const Triangle> triangles)
@@ -43,6 +48,44 @@ glm::dvec3 near(const Triangle &triangle, Draw &draw)
         + draw.vector(draw.size(-12, 1));
 }
 
+Triangle seenFrom(const glm::dvec3 &p, const Triangle &triangle)
+{
+    return {triangle[0] - p, triangle[1] - p, triangle[2] - p};
+}
+
+/// Of every shape, and a sphere that starts somewhere and moves towards one of them.
+struct SweptMesh {
+    std::vector<Triangle> triangles;
+    glm::dvec3 start{0.0};
+    MovingSphere sphere;
+    /// Of what counts for rounding.
+    double reach = 0.0;
+
+    SweptMesh(Shape shape, Draw &draw, std::mt19937_64 &random)
+    {
+        const std::size_t count = 1 + random() % LeafFaces::most;
+        for (std::size_t k = 0; k < count; ++k) {
+            triangles.push_back(trianglePoint(k % 3 == 0 ? shape : Shape::Plain, draw).first);
+        }
+        const Triangle &aim = triangles[random() % count];
+        const double size = std::max({1e-3, glm::distance(aim[0], aim[1]), glm::distance(aim[0], aim[2])});
+        sphere.radius = size * draw.size(-3, 0);
+        start = aim[0] + size * draw.vector(draw.size(-1, 2));
+        const glm::dvec3 way = near(aim, draw) - start;
+        sphere.direction = glm::length(way) > 0.0 ? glm::normalize(way) : glm::dvec3(0.0, 1.0, 0.0);
+        reach = sphere.radius;
+        for (const Triangle &triangle : triangles) {
+            reach = std::max(reach, largestOffset(triangle, start));
+        }
+    }
+
+    /// Of a sphere whose radius differs by so much.
+    [[nodiscard]] double wayTo(std::size_t face, double more) const
+    {
+        return touch(seenFrom(start, triangles[face]), {sphere.direction, std::max(0.0, sphere.radius + more)}).way;
+    }
+};
+
 }
 
 class TestFaceLanes : public QObject
@@ -57,6 +100,10 @@ private Q_SLOTS:
     void everyInstructionSetGivesTheSameBits();
     void theNearestFaceOfAMeshIsFound_data();
     void theNearestFaceOfAMeshIsFound();
+    void waysToFacesAreAsOneByOne_data();
+    void waysToFacesAreAsOneByOne();
+    void theFirstFaceThatIsTouchedIsFound_data();
+    void theFirstFaceThatIsTouchedIsFound();
 };
 
 /// The measured error is below half of what is stated.
@@ -151,6 +198,9 @@ void TestFaceLanes::everyInstructionSetGivesTheSameBits()
             placeFaces(corners, map, faces.data());
             std::vector<double> &result = results.emplace_back(faces.size() * laneCount);
             faceDistances(faces, p, result.data());
+            std::vector<double> ways(result.size());
+            waysToFaces(faces, p, {glm::normalize(-p), 0.1}, 0.0, infinity, ways.data());
+            result.insert(result.end(), ways.begin(), ways.end());
             for (const FaceLanes &block : faces) {
                 result.insert(result.end(), block.isPlain.begin(), block.isPlain.end());
             }
@@ -207,6 +257,83 @@ void TestFaceLanes::theNearestFaceOfAMeshIsFound()
                     && Real(itself.lower) >= truth - Real(errorOfFaceDistances * reach) * 2);
         }
     }
+}
+
+void TestFaceLanes::waysToFacesAreAsOneByOne_data()
+{
+    addShapes();
+}
+
+/// Never more, and for most hardly less.
+void TestFaceLanes::waysToFacesAreAsOneByOne()
+{
+    QFETCH(const Shape, shape);
+    Draw draw(6);
+    std::mt19937_64 random(6);
+    int tight = 0;
+    int loose = 0;
+    for (int i = 0; i < 500; ++i) {
+        const SweptMesh swept(shape, draw, random);
+        const Mesh mesh = meshOf(swept.triangles);
+        const std::vector<CornerLanes> corners = cornersOf(mesh);
+        std::vector<FaceLanes> faces(corners.size());
+        placeFaces(corners, {}, faces.data());
+        std::vector<double> ways(faces.size() * laneCount);
+        waysToFaces(faces, swept.start, swept.sphere, 0.0, infinity, ways.data());
+        for (std::size_t k = 0; k < swept.triangles.size(); ++k) {
+            QVERIFY(ways[k] >= 0.0);
+            QVERIFY(ways[k] <= swept.wayTo(k, -1e-13 * swept.reach));
+            if (faces[k / laneCount].isPlain[k % laneCount] != 0.0) {
+                ++(ways[k] >= swept.wayTo(k, 0.01 * swept.sphere.radius + 1e-13 * swept.reach) ? tight : loose);
+            }
+        }
+    }
+    QVERIFY2(tight > 1'000 && loose * 20 < tight, qPrintable(QStringLiteral("%1 %2").arg(tight).arg(loose)));
+}
+
+void TestFaceLanes::theFirstFaceThatIsTouchedIsFound_data()
+{
+    addShapes();
+}
+
+/// Beside every face by itself; also as a map places it, and from a way on.
+void TestFaceLanes::theFirstFaceThatIsTouchedIsFound()
+{
+    QFETCH(const Shape, shape);
+    Draw draw(7);
+    std::mt19937_64 random(7);
+    int touched = 0;
+    for (int i = 0; i < 500; ++i) {
+        const SweptMesh swept(shape, draw, random);
+        const Mesh mesh = meshOf(swept.triangles);
+        const LeafFaces faces(mesh);
+        double sooner = infinity;
+        double later = infinity;
+        for (std::size_t k = 0; k < swept.triangles.size(); ++k) {
+            sooner = std::min(sooner, swept.wayTo(k, 1e-13 * swept.reach));
+            later = std::min(later, swept.wayTo(k, -1e-13 * swept.reach));
+        }
+        const double slack = 1e-5 * swept.sphere.radius;
+        const double limit = i % 2 == 0 ? infinity : 2.0 * swept.reach;
+        const double from = i % 3 == 0 || sooner == infinity ? 0.0 : 0.9 * sooner;
+        SweptFace itself;
+        SweptFace placed;
+        faces.sweep(swept.start, swept.sphere, from, limit, slack, itself);
+        faces.sweep({glm::dmat3(1.0), -swept.start}, swept.sphere, from, limit, slack, placed);
+        for (const SweptFace &found : {itself, placed}) {
+            QCOMPARE(found.faceTests, swept.triangles.size());
+            QVERIFY(found.lower <= std::max(later, from));
+            if (found.face == Mesh::none) {
+                QVERIFY(later > limit || later == infinity);
+            } else {
+                ++touched;
+                QVERIFY(found.way >= sooner && found.way <= later + slack);
+                QVERIFY(found.lower >= sooner - slack);
+                QCOMPARE(found.triangle, seenFrom(swept.start, swept.triangles[found.face]));
+            }
+        }
+    }
+    QVERIFY2(touched > 300, qPrintable(QString::number(touched)));
 }
 
 ROMANESCO_TEST(TestFaceLanes)
