@@ -155,7 +155,7 @@ private:
 }
 
 void stepIsland(const BallIsland &island, std::span<BallState> balls, std::span<StepReport> reports, const Laws &laws,
-                Probe &probe)
+                const Crew &crew)
 {
     const bool isPile = std::ranges::any_of(island.balls, [&](std::size_t ball) { return balls[ball].isPiled; });
     if (!isPile) {
@@ -163,14 +163,14 @@ void stepIsland(const BallIsland &island, std::span<BallState> balls, std::span<
         for (const std::size_t ball : island.balls) {
             before.push_back(balls[ball]);
         }
-        if (Collisions(island, balls, reports, laws, probe).run()) {
+        if (Collisions(island, balls, reports, laws, crew.own()).run()) {
             return;
         }
         for (std::size_t i = 0; i < before.size(); ++i) {
             balls[island.balls[i]] = before[i];
         }
     }
-    stepPile(island, balls, reports, laws, probe);
+    stepPile(island, balls, reports, laws, crew);
 }
 
 }

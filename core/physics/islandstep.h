@@ -5,6 +5,7 @@
 #include <span>
 
 #include "ballpairs.h"
+#include "crew.h"
 
 namespace romanesco {
 
@@ -16,6 +17,6 @@ namespace romanesco {
 ///
 /// balls and reports are those of the whole world; those of other islands are left alone.
 void stepIsland(const BallIsland &island, std::span<BallState> balls, std::span<StepReport> reports, const Laws &laws,
-                Probe &probe);
+                const Crew &crew);
 
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ constexpr double correction = 0.4;
 constexpr double calmShare = 0.02;
 constexpr unsigned stepsToSleep = 60;
 
-/// Two balls that press each other, or may within the step.
+/// Two balls that press each other, or may within the step. Balls are numbered as in the island.
 struct Press {
     std::size_t one;
     std::size_t other;
@@ -58,92 +59,103 @@ class Pile
 {
 public:
     Pile(const BallIsland &island, std::span<BallState> balls, std::span<StepReport> reports, const Laws &laws,
-         Probe &probe)
+         const Crew &crew)
         : m_island(island)
         , m_balls(balls)
         , m_reports(reports)
         , m_laws(laws)
-        , m_probe(probe)
+        , m_crew(crew)
         , m_met(island.balls.size())
+        , m_found(island.balls.size())
     {
     }
 
     void run()
     {
-        for (const std::size_t ball : m_island.balls) {
-            lieDown(ball);
+        for (std::size_t i = 0; i < count(); ++i) {
+            lieDown(i);
         }
         for (const BallPair &pair : m_island.pairs) {
             press(pair);
         }
-        for (const std::size_t ball : m_island.balls) {
-            m_before.push_back({m_balls[ball].velocity, m_balls[ball].restitution});
-            m_balls[ball].velocity += m_laws.timeStep * m_laws.gravityOn(m_balls[ball]);
+        for (std::size_t i = 0; i < count(); ++i) {
+            m_before.push_back({ball(i).velocity, ball(i).restitution});
+            m_velocities.push_back(ball(i).velocity + m_laws.timeStep * m_laws.gravityOn(ball(i)));
         }
         // balls that are pressed find surfaces that they would not have gone against
         for (int round = 0; round < rounds && (findLies() || round == 0); ++round) {
             for (int sweep = 0; sweep < sweeps; ++sweep) {
-                relax(m_presses, m_lies, [this](std::size_t ball) -> glm::dvec3 & { return m_balls[ball].velocity; });
+                relax(m_presses, m_lies, m_velocities);
             }
         }
-        for (const std::size_t ball : m_island.balls) {
-            move(ball);
-        }
+        m_crew.forEach(count(), [this](std::size_t i, Probe &probe) { move(i, probe); });
         takeOutOverlap();
         rest();
     }
 
 private:
-    void lieDown(std::size_t ball)
+    [[nodiscard]] std::size_t count() const { return m_island.balls.size(); }
+    [[nodiscard]] BallState &ball(std::size_t i) const { return m_balls[m_island.balls[i]]; }
+    [[nodiscard]] StepReport &report(std::size_t i) const { return m_reports[m_island.balls[i]]; }
+
+    void lieDown(std::size_t i)
     {
-        BallState &state = m_balls[ball];
-        m_reports[ball] = {};
-        state.isAsleep = false;
-        state.supports.clear();
+        report(i) = {};
+        ball(i).isAsleep = false;
+        ball(i).supports.clear();
     }
 
     /// Finds what surfaces balls go against by the velocities that they have now. Whether there are any that were not known.
     bool findLies()
     {
-        bool hasFound = false;
-        for (std::size_t i = 0; i < m_island.balls.size(); ++i) {
-            const BallState &state = m_balls[m_island.balls[i]];
-            // turned away from what is known, which would hide what is not
-            glm::dvec3 motion = m_met[i].allowed(state.velocity);
-            for (const glm::dvec3 &n : m_met[i].directions()) {
-                motion += lean * glm::length(motion) * n;
-            }
-            if (motion == glm::dvec3(0.0)) {
-                continue;
-            }
-            m_probe.begin(m_laws.budget);
-            const double reach = state.radius * (1.0 + near) + glm::length(state.velocity) * m_laws.timeStep;
-            const auto nearest = m_probe.nearest(state.position, reach, motion);
-            count(m_island.balls[i]);
-            if (nearest.isFound && !m_met[i].holds(nearest.direction) && m_met[i].add(nearest.direction)) {
-                m_lies.push_back({m_island.balls[i], nearest.direction, partingSpeed(m_before[i], state, nearest)});
-                hasFound = true;
+        m_crew.forEach(count(), [this](std::size_t i, Probe &probe) { m_found[i] = findLie(i, probe); });
+        const std::size_t before = m_lies.size();
+        for (const std::optional<Lie> &lie : m_found) {
+            if (lie) {
+                m_lies.push_back(*lie);
             }
         }
-        return hasFound;
+        return m_lies.size() > before;
+    }
+
+    std::optional<Lie> findLie(std::size_t i, Probe &probe)
+    {
+        const BallState &state = ball(i);
+        const glm::dvec3 &velocity = m_velocities[i];
+        // turned away from what is known, which would hide what is not
+        glm::dvec3 motion = m_met[i].allowed(velocity);
+        for (const glm::dvec3 &n : m_met[i].directions()) {
+            motion += lean * glm::length(motion) * n;
+        }
+        if (motion == glm::dvec3(0.0)) {
+            return std::nullopt;
+        }
+        probe.begin(m_laws.budget);
+        const double reach = state.radius * (1.0 + near) + glm::length(velocity) * m_laws.timeStep;
+        const auto nearest = probe.nearest(state.position, reach, motion);
+        addCost(i, probe);
+        if (!nearest.isFound || m_met[i].holds(nearest.direction) || !m_met[i].add(nearest.direction)) {
+            return std::nullopt;
+        }
+        return Lie{i, nearest.direction, partingSpeed(m_before[i], state, nearest)};
     }
 
     /// From a surface: that of the bounce, or what brings the ball just to it.
-    [[nodiscard]] double partingSpeed(const Before &before, const BallState &ball, const Probe::Nearest &nearest) const
+    [[nodiscard]] double partingSpeed(const Before &before, const BallState &state, const Probe::Nearest &nearest) const
     {
         const double timeStep = m_laws.timeStep;
         const double e = before.restitution;
-        const double room = std::max(0.0, nearest.clearance - ball.radius * (1.0 + near));
+        const double room = std::max(0.0, nearest.clearance - state.radius * (1.0 + near));
         const double against = -glm::dot(before.velocity, nearest.direction);
-        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravityOn(ball)) * (1.0 - e);
+        const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravityOn(state)) * (1.0 - e);
         return against * timeStep > room && !isLeftOut ? e * against : -room / timeStep;
     }
 
-    void count(std::size_t ball)
+    void addCost(std::size_t i, const Probe &probe)
     {
-        m_reports[ball].cost.faceTests += m_probe.cost().faceTests;
-        m_reports[ball].cost.nodeVisits += m_probe.cost().nodeVisits;
-        m_reports[ball].queries += m_probe.queries();
+        report(i).cost.faceTests += probe.cost().faceTests;
+        report(i).cost.nodeVisits += probe.cost().nodeVisits;
+        report(i).queries += probe.queries();
     }
 
     void press(const BallPair &pair)
@@ -160,17 +172,16 @@ private:
         const bool isLeftOut = 2.0 * e * against < timeStep * glm::length(m_laws.gravityOn(one)) * (1.0 - e);
         const bool bounces = against > 0.0 && gap <= against * timeStep && !isLeftOut;
         const double ratio = one.radius / other.radius;
-        m_presses.push_back({pair.one, pair.other, n, 1.0 / (1.0 + ratio * ratio * ratio),
+        m_presses.push_back({placeOf(pair.one), placeOf(pair.other), n, 1.0 / (1.0 + ratio * ratio * ratio),
                              bounces ? e * against : -std::max(gap, 0.0) / timeStep});
     }
 
     /// A sweep over the speeds, or the ways, of balls.
-    template<typename SpeedOf>
-    static void relax(std::span<Press> presses, std::span<Lie> lies, const SpeedOf &speedOf)
+    static void relax(std::span<Press> presses, std::span<Lie> lies, std::span<glm::dvec3> speeds)
     {
         for (Press &press : presses) {
-            glm::dvec3 &one = speedOf(press.one);
-            glm::dvec3 &other = speedOf(press.other);
+            glm::dvec3 &one = speeds[press.one];
+            glm::dvec3 &other = speeds[press.other];
             const double wanted = press.speed - glm::dot(one - other, press.direction);
             const double impulse = std::max(0.0, press.impulse + wanted);
             const double change = impulse - press.impulse;
@@ -179,7 +190,7 @@ private:
             other -= change * (1.0 - press.shareOfOne) * press.direction;
         }
         for (Lie &lie : lies) {
-            glm::dvec3 &v = speedOf(lie.ball);
+            glm::dvec3 &v = speeds[lie.ball];
             const double impulse = std::max(0.0, lie.impulse + lie.speed - glm::dot(v, lie.direction));
             v += (impulse - lie.impulse) * lie.direction;
             lie.impulse = impulse;
@@ -187,22 +198,22 @@ private:
     }
 
     /// By its velocity alone, which has gravity's part already.
-    void move(std::size_t ball)
+    void move(std::size_t i, Probe &probe)
     {
-        BallState &state = m_balls[ball];
+        BallState &state = ball(i);
+        state.velocity = m_velocities[i];
         Laws still = m_laws;
         still.gravity = glm::dvec3(0.0);
         const double restitution = std::exchange(state.restitution, 0.0);
         state.supports.clear();
         state.foresight = {}; // of a flight under gravity
-        const StepReport moved = stepBall(state, still, m_probe, m_laws.timeStep);
+        const StepReport moved = stepBall(state, still, probe, m_laws.timeStep);
         state.restitution = restitution;
         state.foresight = {};
         state.isAsleep = false;
-        StepReport &report = m_reports[ball];
-        count(ball);
-        report.contacts += moved.contacts;
-        report.isExhausted = moved.isExhausted;
+        addCost(i, probe);
+        report(i).contacts += moved.contacts;
+        report(i).isExhausted = moved.isExhausted;
     }
 
     [[nodiscard]] std::size_t placeOf(std::size_t ball) const
@@ -216,11 +227,11 @@ private:
         std::vector<Press> presses;
         bool isAny = false;
         for (const Press &press : m_presses) {
-            const BallState &one = m_balls[press.one];
-            const BallState &other = m_balls[press.other];
+            const BallState &one = ball(press.one);
+            const BallState &other = ball(press.other);
             const double overlap = one.radius + other.radius - glm::distance(one.position, other.position);
             isAny = isAny || overlap > 0.0;
-            presses.push_back({placeOf(press.one), placeOf(press.other), press.direction, press.shareOfOne,
+            presses.push_back({press.one, press.other, press.direction, press.shareOfOne,
                                overlap > 0.0 ? correction * overlap : overlap});
         }
         if (!isAny) {
@@ -229,57 +240,57 @@ private:
         std::vector<Lie> lies;
         for (const Lie &lie : m_lies) {
             if (lie.impulse > 0.0) {
-                lies.push_back({placeOf(lie.ball), lie.direction, 0.0});
+                lies.push_back({lie.ball, lie.direction, 0.0});
             }
         }
-        std::vector<glm::dvec3> ways(m_island.balls.size(), glm::dvec3(0.0));
+        std::vector<glm::dvec3> ways(count(), glm::dvec3(0.0));
         for (int sweep = 0; sweep < sweepsOfOverlap; ++sweep) {
-            relax(presses, lies, [&](std::size_t place) -> glm::dvec3 & { return ways[place]; });
+            relax(presses, lies, ways);
         }
-        for (std::size_t i = 0; i < ways.size(); ++i) {
+        m_crew.forEach(count(), [&](std::size_t i, Probe &probe) {
             if (ways[i] != glm::dvec3(0.0)) {
-                shift(m_island.balls[i], ways[i]);
+                shift(i, ways[i], probe);
             }
-        }
+        });
     }
 
     /// As far as the surface allows.
-    void shift(std::size_t ball, const glm::dvec3 &way)
+    void shift(std::size_t i, const glm::dvec3 &way, Probe &probe)
     {
-        BallState &state = m_balls[ball];
-        BallStep step(state, m_laws, m_probe, m_laws.timeStep);
+        BallState &state = ball(i);
+        BallStep step(state, m_laws, probe, m_laws.timeStep);
         step.measure(glm::length(way));
         const double room = 0.75 * std::min(step.room(), step.skin());
         if (room > 0.0) {
-            const double share = m_probe.freeShare(state.position, way, state.radius + room);
+            const double share = probe.freeShare(state.position, way, state.radius + room);
             step.moveTo(state.position + share * way, share * glm::length(way));
         }
-        count(ball);
+        addCost(i, probe);
     }
 
     /// Counts the steps of little motion; all fall asleep together.
     void rest()
     {
-        for (const std::size_t ball : m_island.balls) {
-            BallState &state = m_balls[ball];
+        for (std::size_t i = 0; i < count(); ++i) {
+            BallState &state = ball(i);
             state.isPiled = false;
             const double calm = calmShare * calmShare * glm::length(m_laws.gravityOn(state)) * state.radius;
             state.calmSteps = glm::dot(state.velocity, state.velocity) <= calm ? state.calmSteps + 1 : 0;
         }
         for (const Press &press : m_presses) {
             if (press.impulse > 0.0) {
-                for (const std::size_t ball : {press.one, press.other}) {
-                    m_balls[ball].isPiled = true;
-                    ++m_reports[ball].contacts;
+                for (const std::size_t i : {press.one, press.other}) {
+                    ball(i).isPiled = true;
+                    ++report(i).contacts;
                 }
             }
         }
         const bool isCalm = std::ranges::all_of(
-            m_island.balls, [&](std::size_t ball) { return m_balls[ball].calmSteps >= stepsToSleep; });
-        for (const std::size_t ball : m_island.balls) {
+            m_island.balls, [&](std::size_t number) { return m_balls[number].calmSteps >= stepsToSleep; });
+        for (std::size_t i = 0; i < count(); ++i) {
             if (isCalm) {
-                m_balls[ball].velocity = glm::dvec3(0.0);
-                m_balls[ball].isAsleep = true;
+                ball(i).velocity = glm::dvec3(0.0);
+                ball(i).isAsleep = true;
             }
         }
     }
@@ -288,20 +299,22 @@ private:
     std::span<BallState> m_balls;
     std::span<StepReport> m_reports;
     const Laws &m_laws;
-    Probe &m_probe;
+    const Crew &m_crew;
     std::vector<Press> m_presses;
     std::vector<Lie> m_lies;
     /// Beside the island's balls.
     std::vector<Before> m_before;
+    std::vector<glm::dvec3> m_velocities;
     std::vector<Supports> m_met;
+    std::vector<std::optional<Lie>> m_found;
 };
 
 }
 
 void stepPile(const BallIsland &island, std::span<BallState> balls, std::span<StepReport> reports, const Laws &laws,
-              Probe &probe)
+              const Crew &crew)
 {
-    Pile(island, balls, reports, laws, probe).run();
+    Pile(island, balls, reports, laws, crew).run();
 }
 
 }

@@ -19,6 +19,8 @@ namespace {
 
 /// Balls that a thread takes at once: some microseconds of work.
 constexpr std::size_t ballsAtATime = 16;
+/// Islands of so many are worth more threads than one.
+constexpr std::size_t ballsToShare = 64;
 /// Of the radius at the start.
 constexpr double leastShare = 1e-9;
 /// Of a place's units: what falls faster is gone in any case, and squares are numbers.
@@ -171,10 +173,22 @@ void World::stepTogether()
             isAlone[ball] = false;
         }
     }
+    const auto placeOf = [this](const BallIsland &island) -> const Place & {
+        return m_places[m_balls[island.balls.front()].place];
+    };
+    // the threads share the large ones, and take the others one by one
+    for (const BallIsland &island : islands) {
+        if (island.balls.size() >= ballsToShare) {
+            const Place &place = placeOf(island);
+            stepIsland(island, m_balls, m_reports, place.laws, Crew(m_team, place.probes));
+        }
+    }
     m_team.run(islands.size(), 1, [&](std::size_t first, std::size_t last, unsigned thread) {
         for (std::size_t i = first; i < last; ++i) {
-            const Place &place = m_places[m_balls[islands[i].balls.front()].place];
-            stepIsland(islands[i], m_balls, m_reports, place.laws, *place.probes[thread]);
+            if (islands[i].balls.size() < ballsToShare) {
+                const Place &place = placeOf(islands[i]);
+                stepIsland(islands[i], m_balls, m_reports, place.laws, Crew(*place.probes[thread]));
+            }
         }
     });
     m_team.run(m_balls.size(), ballsAtATime, [&](std::size_t first, std::size_t last, unsigned thread) {
