@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 /// The oracle of distances to triangles, in numbers of enough digits.
@@ -50,7 +51,9 @@ T distance(const std::array<Vector<T>, 3> &triangle, const Vector<T> &p)
         const T determinant = uu * vv - uv * uv;
         const T s = vv * up - uv * vp;
         const T t = uu * vp - uv * up;
-        if (determinant > 0 && s >= 0 && t >= 0 && s + t <= determinant) {
+        // of a flat one the determinant is rounding alone
+        if (determinant > 256 * std::numeric_limits<T>::epsilon() * uu * vv && s >= 0 && t >= 0
+            && s + t <= determinant) {
             consider(T(dot(toPoint, toPoint) - (s * up + t * vp) / determinant));
         }
     }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "words.h"
+
+#include <cmath>
+#include <format>
+
+namespace romanesco {
+
+namespace {
+
+/// Of a percentage, two digits or so.
+std::string brief(double value)
+{
+    return value >= 10.0 ? std::format("{:.0f}", value) : std::format("{:.2g}", value);
+}
+
+std::string_view meaningOf(QuerySet set)
+{
+    switch (set) {
+    case QuerySet::Uniform:
+        return "anywhere in 1.5 times the box";
+    case QuerySet::Near:
+        return "near the surface, 0.1 to 5 % of the diagonal off it";
+    case QuerySet::Pocket:
+        return "in the box, away from the surface";
+    case QuerySet::Balls:
+        break;
+    }
+    return "as the balls of the scene ask";
+}
+
+}
+
+std::string figure(double value)
+{
+    if (value < 1e-3 || value >= 1e9) {
+        return value == 0.0 ? "0" : std::format("{:.2g}", value);
+    }
+    if (value >= 999.5) {
+        return grouped(static_cast<std::uint64_t>(std::llround(value)));
+    }
+    return std::format("{:.3g}", value);
+}
+
+std::string briefly(double value)
+{
+    std::string text = std::format("{}", value);
+    if (const std::size_t exponent = text.find("e-0"); exponent != std::string::npos) {
+        text.erase(exponent + 2, 1);
+    }
+    return text;
+}
+
+std::string grouped(std::uint64_t number)
+{
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3; i -= 3) {
+        digits.insert(i - 3, ",");
+    }
+    return digits;
+}
+
+std::string facesText(const std::optional<Count> &faces)
+{
+    if (!faces) {
+        return "too many faces to be counted";
+    }
+    if (faces->log10() >= 15.0) {
+        return std::format("more than 10^{:.0f} faces", std::floor(faces->log10()));
+    }
+    return std::format("{} faces", grouped(faces->toInteger().value()));
+}
+
+std::string percent(const Share &share)
+{
+    if (share.of == 0) {
+        return "–";
+    }
+    const auto [least, greatest] = share.interval();
+    return std::format("{} ({}–{})", brief(100.0 * share.value()), brief(100.0 * least), brief(100.0 * greatest));
+}
+
+std::string wordsOf(const ColliderTrial &trial)
+{
+    return std::format("{}, a box of diagonal {:.4g}, a ball of radius {:.4g}", facesText(trial.faces), trial.diagonal,
+                       trial.ballRadius);
+}
+
+std::string wordsOf(const ColliderTrial::Set &set)
+{
+    std::string words = std::format("{} queries {}, {} of them collisions", grouped(set.points), meaningOf(set.queries),
+                                    grouped(set.touching));
+    if (set.undecided > 0) {
+        words += std::format("; {} more would take too long to answer exactly", grouped(set.undecided));
+    }
+    return words;
+}
+
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "collidertrial.h"
+#include "core/base/count.h"
+#include "share.h"
+
+/// How figures are shown to people.
+namespace romanesco {
+
+/// Three digits or so: "0.0123", "12.3", "4,560", "1.2e+09"; "0" for none.
+[[nodiscard]] std::string figure(double value);
+
+/// The shortest digits that read back as the same number: "0.001", "1e-6".
+[[nodiscard]] std::string briefly(double value);
+
+/// "38,400,000".
+[[nodiscard]] std::string grouped(std::uint64_t number);
+
+/// "38,400,000 faces", "more than 10^40 faces", "too many faces to be counted".
+[[nodiscard]] std::string facesText(const std::optional<Count> &faces);
+
+/// "12.3 (11–14)": a share in per cent with its interval; a dash where it is of nothing.
+[[nodiscard]] std::string percent(const Share &share);
+
+/// What is measured, in a sentence.
+[[nodiscard]] std::string wordsOf(const ColliderTrial &trial);
+[[nodiscard]] std::string wordsOf(const ColliderTrial::Set &set);
+
+}
