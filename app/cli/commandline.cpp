@@ -17,6 +17,8 @@ constexpr std::array commands = {
             "write all copies as a mesh: .obj, .ply, .stl or .glb", runExport},
     Command{"format", "FILE… [--check]", "tidy the layout of files, in place", runFormat},
     Command{"info", "FILE [--depth N] [--json]", "print the numbers of a fractal or a scene", runInfo},
+    Command{"measure", "FILE [--timestep] [--json] [--html OUT.html] [--radius R] …",
+            "measure what each way to search costs, and how far off it is", runMeasure},
     Command{"render", "FILE -o OUT.png [--size WxH] [--camera LINE] [--turntable N] …",
             "draw a picture, or a full turn of them, without a display", runRender},
     Command{"simulate", "SCENE.sdo --seconds S [--dt DT] [--collider KIND] [--shrink RATE] …",

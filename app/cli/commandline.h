@@ -28,6 +28,7 @@ int runClosest(const QStringList &arguments);
 int runExport(const QStringList &arguments);
 int runFormat(const QStringList &arguments);
 int runInfo(const QStringList &arguments);
+int runMeasure(const QStringList &arguments);
 int runRender(const QStringList &arguments);
 int runSimulate(const QStringList &arguments);
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "measurejson.h"
+
+#include <array>
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace romanesco::cli {
+
+namespace {
+
+QString text(std::string_view words)
+{
+    return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size()));
+}
+
+QJsonValue number(std::size_t count)
+{
+    return static_cast<qint64>(count);
+}
+
+/// Puts a share and its interval; nulls where it is of nothing.
+void put(QJsonObject &object, const QString &name, const Share &share, bool isThere)
+{
+    const QString interval = name + QStringLiteral("_ci");
+    if (!isThere || share.of == 0) {
+        object[name] = QJsonValue();
+        object[interval] = QJsonValue();
+        return;
+    }
+    const auto [least, greatest] = share.interval();
+    object[name] = share.value();
+    object[interval] = QJsonArray{least, greatest};
+}
+
+void put(QJsonObject &object, const QString &name, const QString &spread, const Spread &times, bool isThere)
+{
+    object[name] = isThere ? QJsonValue(times.median) : QJsonValue();
+    object[spread] = isThere ? QJsonValue(QJsonArray{times.lowerQuartile, times.upperQuartile}) : QJsonValue();
+}
+
+QJsonObject json(const ColliderRow &row)
+{
+    const bool isThere = row.reason.empty();
+    const Survey &survey = row.survey;
+    const auto orNull = [&](const QJsonValue &value) { return isThere ? value : QJsonValue(); };
+    QJsonObject object{
+        {QStringLiteral("collider"), text(colliderNames[static_cast<std::size_t>(row.kind)])},
+        {QStringLiteral("tolerance"), row.tolerance ? QJsonValue(*row.tolerance) : QJsonValue()},
+        {QStringLiteral("queries"), text(nameOf(row.queries))},
+        {QStringLiteral("asked"), orNull(number(survey.asked))},
+        {QStringLiteral("face_tests_mean"), orNull(survey.faceTestsMean)},
+        {QStringLiteral("face_tests_p99"), orNull(survey.faceTestsP99)},
+        {QStringLiteral("node_visits_mean"), orNull(survey.nodeVisitsMean)},
+        {QStringLiteral("bytes"), orNull(number(row.bytes))},
+        {QStringLiteral("worst"), orNull(survey.worst)},
+        {QStringLiteral("touching"), orNull(number(survey.missed.of))},
+        {QStringLiteral("reason"), isThere ? QJsonValue() : QJsonValue(text(row.reason))},
+    };
+    constexpr std::array names{"wrong_1e-6", "wrong_1%", "wrong_10%"};
+    static_assert(names.size() == Survey::wrongBy.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        put(object, text(names[i]), survey.wrong[i], isThere);
+    }
+    put(object, QStringLiteral("missed"), survey.missed, isThere);
+    put(object, QStringLiteral("ns_median"), QStringLiteral("ns_quartiles"), row.nanoseconds, isThere);
+    put(object, QStringLiteral("build_ms"), QStringLiteral("build_ms_quartiles"), row.buildMilliseconds, isThere);
+    return object;
+}
+
+QJsonObject json(const ColliderTrial::Set &set)
+{
+    return {{QStringLiteral("queries"), text(nameOf(set.queries))},
+            {QStringLiteral("points"), number(set.points)},
+            {QStringLiteral("touching"), number(set.touching)},
+            {QStringLiteral("undecided"), number(set.undecided)}};
+}
+
+template<typename Things>
+QJsonArray jsonOfAll(const Things &things)
+{
+    QJsonArray array;
+    for (const auto &thing : things) {
+        array.append(json(thing));
+    }
+    return array;
+}
+
+}
+
+QByteArray jsonOf(const Measurement &measurement)
+{
+    const ColliderTrial &trial = measurement.colliders;
+    QJsonObject object{
+        {QStringLiteral("file"), text(measurement.source)},
+        // a string of digits, since JSON's numbers end at 2^53
+        {QStringLiteral("faces"), trial.faces ? QJsonValue(text(trial.faces->toString())) : QJsonValue()},
+        {QStringLiteral("diagonal"), trial.diagonal},
+        {QStringLiteral("ball_radius"), trial.ballRadius},
+        {QStringLiteral("sets"), jsonOfAll(trial.sets)},
+        {QStringLiteral("colliders"), jsonOfAll(trial.rows)},
+    };
+    return QJsonDocument(object).toJson();
+}
+
+}

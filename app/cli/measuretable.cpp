@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "measuretable.h"
+
+#include <format>
+
+#include "core/measure/words.h"
+
+namespace romanesco::cli {
+
+namespace {
+
+constexpr std::string_view cells = "  {:<17} {:>5} {:>9} {:>9} {:>8} {:>9} {:>16} {:>16} {:>16} {:>8} {:>16}\n";
+
+std::string lineOf(const ColliderRow &row)
+{
+    if (!row.reason.empty()) {
+        return std::format("  {:<17} {}\n", nameOf(row), row.reason);
+    }
+    const Survey &survey = row.survey;
+    return std::format(cells, nameOf(row), survey.asked, figure(survey.faceTestsMean), figure(survey.faceTestsP99),
+                       figure(survey.nodeVisitsMean), figure(1e-3 * row.nanoseconds.median), percent(survey.wrong[0]),
+                       percent(survey.wrong[1]), percent(survey.wrong[2]), figure(survey.worst),
+                       percent(survey.missed));
+}
+
+std::string tableOfSet(const ColliderTrial &trial, const ColliderTrial::Set &set)
+{
+    std::string text = std::format("\n{}: {}\n", nameOf(set.queries), wordsOf(set))
+        + std::format(cells, "collider", "asked", "faces", "p99", "nodes", "µs", "wrong by 1e-6 %", "by 1 %", "by 10 %",
+                      "worst", "missed %");
+    for (const ColliderRow &row : trial.rows) {
+        if (row.queries == set.queries) {
+            text += lineOf(row);
+        }
+    }
+    return text;
+}
+
+/// Of each kind once.
+std::string tableOfBuilding(const ColliderTrial &trial)
+{
+    std::string text = std::format("\nbuilding\n  {:<17} {:>9} {:>14}\n", "collider", "ms", "bytes");
+    for (const ColliderRow &row : trial.rows) {
+        if (row.queries == trial.rows.front().queries && row.reason.empty()) {
+            text += std::format("  {:<17} {:>9} {:>14}\n", nameOf(row), figure(row.buildMilliseconds.median),
+                                grouped(row.bytes));
+        }
+    }
+    return text;
+}
+
+}
+
+std::string tableOf(const Measurement &measurement)
+{
+    const ColliderTrial &trial = measurement.colliders;
+    std::string text = std::format("{}: {}\n", measurement.source, wordsOf(trial));
+    for (const ColliderTrial::Set &set : trial.sets) {
+        text += tableOfSet(trial, set);
+    }
+    return text + tableOfBuilding(trial);
+}
+
+}

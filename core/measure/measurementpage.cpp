@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// SPDX-FileCopyrightText: Romanesco authors
+#include "measurementpage.h"
+
+#include <format>
+#include <initializer_list>
+#include <vector>
+
+#include "errorplot.h"
+#include "words.h"
+
+namespace romanesco {
+
+namespace {
+
+constexpr const char *style = R"(:root { color-scheme: light dark; }
+body { font: 15px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 76rem; padding: 0 1rem; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2.5rem; }
+.plots { display: flex; flex-wrap: wrap; gap: 1rem; } .plots svg { max-width: 100%; height: auto; }
+.table { overflow-x: auto; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; font-size: 0.87rem; }
+th, td { padding: 0.2rem 0.7rem; text-align: right; border-bottom: 1px solid #8884; white-space: nowrap; }
+th:first-child, td:first-child, td.reason { text-align: left; }
+td.reason { font-style: italic; }
+.range { opacity: 0.65; }
+)";
+
+std::string cell(const std::string &words)
+{
+    return std::format("<td>{}</td>", escaped(words));
+}
+
+/// Its interval stands back.
+std::string cell(const Share &share)
+{
+    const std::string words = percent(share);
+    const std::size_t bracket = words.find(" (");
+    return bracket == std::string::npos ? cell(words)
+                                        : std::format("<td>{} <span class=\"range\">{}</span></td>",
+                                                      words.substr(0, bracket), words.substr(bracket + 1));
+}
+
+std::string tableHead(std::initializer_list<const char *> heads)
+{
+    std::string text = "<div class=\"table\"><table>\n<thead><tr>";
+    for (const char *head : heads) {
+        text += std::format("<th>{}</th>", head);
+    }
+    return text + "</tr></thead>\n<tbody>\n";
+}
+
+std::string tableEnd()
+{
+    return "</tbody></table></div>\n";
+}
+
+std::string rowOf(const ColliderRow &row)
+{
+    if (!row.reason.empty()) {
+        return std::format("<tr>{}<td class=\"reason\" colspan=\"10\">{}</td></tr>\n", cell(nameOf(row)),
+                           escaped(row.reason));
+    }
+    const Survey &survey = row.survey;
+    return std::format(
+        "<tr>{}{}{}{}{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(grouped(survey.asked)),
+        cell(figure(survey.faceTestsMean)), cell(figure(survey.faceTestsP99)), cell(figure(survey.nodeVisitsMean)),
+        std::format("<td>{} <span class=\"range\">({}–{})</span></td>", figure(1e-3 * row.nanoseconds.median),
+                    figure(1e-3 * row.nanoseconds.lowerQuartile), figure(1e-3 * row.nanoseconds.upperQuartile)),
+        cell(survey.wrong[0]), cell(survey.wrong[1]), cell(survey.wrong[2]), cell(figure(survey.worst)),
+        cell(survey.missed));
+}
+
+/// By what an answer costs.
+std::string plotOf(const ColliderTrial &trial, QuerySet set, bool isByTime)
+{
+    std::vector<PlotPoint> points;
+    for (const ColliderRow &row : trial.rows) {
+        const double cost = isByTime ? row.nanoseconds.median : row.survey.faceTestsMean;
+        if (row.queries == set && row.reason.empty() && cost > 0.0) {
+            points.push_back({.label = nameOf(row),
+                              .group = static_cast<int>(row.kind),
+                              .cost = cost,
+                              .error = row.survey.worst,
+                              .spread = isByTime ? std::optional(row.nanoseconds) : std::nullopt});
+        }
+    }
+    return errorPlot(points, isByTime ? "nanoseconds a query" : "face tests a query",
+                     "largest error, in parts of the distance");
+}
+
+std::string sectionOf(const ColliderTrial &trial, const ColliderTrial::Set &set)
+{
+    std::string text =
+        std::format("<h2>{}</h2>\n<p>{}.</p>\n<div class=\"plots\">\n{}{}</div>\n", nameOf(set.queries),
+                    escaped(wordsOf(set)), plotOf(trial, set.queries, true), plotOf(trial, set.queries, false));
+    text += tableHead({"collider", "asked", "face tests", "p99", "nodes", "µs", "wrong by 1e-6, %", "by 1 %, %",
+                       "by 10 %, %", "largest error", "missed, %"});
+    for (const ColliderRow &row : trial.rows) {
+        text += row.queries == set.queries ? rowOf(row) : std::string();
+    }
+    return text + tableEnd();
+}
+
+std::string buildingOf(const ColliderTrial &trial)
+{
+    std::string text = "<h2>building</h2>\n" + tableHead({"collider", "ms", "bytes"});
+    for (const ColliderRow &row : trial.rows) {
+        if (row.queries == trial.rows.front().queries && row.reason.empty()) {
+            text += std::format("<tr>{}{}{}</tr>\n", cell(nameOf(row)), cell(figure(row.buildMilliseconds.median)),
+                                cell(grouped(row.bytes)));
+        }
+    }
+    return text + tableEnd();
+}
+
+}
+
+std::string pageOf(const Measurement &measurement)
+{
+    const ColliderTrial &trial = measurement.colliders;
+    const std::string source = escaped(measurement.source);
+    std::string text =
+        std::format("<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"en\">\n<head>\n"
+                    "<meta charset=\"utf-8\"/>\n<title>{0}: speed against accuracy</title>\n"
+                    "<style>{1}</style>\n</head>\n<body>\n<h1>{0}: speed against accuracy</h1>\n<p>{2}.</p>\n",
+                    source, style, escaped(wordsOf(trial)));
+    text +=
+        "<p>Every way to search for the nearest point was asked the same questions, and compared with the exact "
+        "answers. Full points are on the front: no other costs less and is no farther off. Shares are in per cent, "
+        "and in brackets what they are of all, with a confidence of 95 %; times are the median of several rounds, and "
+        "in brackets the quartiles. Missed are those of the collisions that were not found.</p>\n";
+    for (const ColliderTrial::Set &set : trial.sets) {
+        text += sectionOf(trial, set);
+    }
+    return text + buildingOf(trial) + "</body>\n</html>\n";
+}
+
+}
