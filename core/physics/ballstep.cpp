@@ -64,12 +64,6 @@ void BallStep::measure(double reach)
     m_ball.clearance = m_nearest.clearance;
 }
 
-void BallStep::expect(const glm::dvec3 &direction)
-{
-    m_nearest = {.isFound = true, .clearance = m_ball.clearance, .direction = direction};
-    m_isMeasured = true;
-}
-
 bool BallStep::isTouching() const
 {
     return hasDirection() && room() <= m_skin;

@@ -100,8 +100,6 @@ public:
     [[nodiscard]] bool isMeasured() const { return m_isMeasured; }
     /// Whether something was within the reach of the last measure, from where it is now.
     [[nodiscard]] bool hasDirection() const { return m_isMeasured && m_nearest.isFound; }
-    /// Instead of a measure, where what is near is known: in which direction it is from that.
-    void expect(const glm::dvec3 &direction);
     /// By the last measure, whether it touches.
     [[nodiscard]] bool isTouching() const;
     [[nodiscard]] const glm::dvec3 &direction() const { return m_nearest.direction; }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -25,8 +24,6 @@ constexpr double reachInWays = 8.0;
 /// Steps that are swept at once, where the chord of so many bends by no more than this, of the radius.
 constexpr double stepsAhead = 8.0;
 constexpr double mostSag = 0.1;
-/// Of the skin: chords that bend by no more are not made shorter for it.
-constexpr double leastSag = 0.2;
 /// Of the skin, where sweeps stop.
 constexpr double standOff = 0.5;
 /// A chord that ends a little beyond the plane that is fallen on.
@@ -173,35 +170,7 @@ private:
     {
         m_step.measure(gap + 2.0 * m_step.skin());
         m_isNear = m_step.hasDirection() && !m_step.isTouching();
-        m_gap = m_step.room();
         m_looksAhead = false;
-    }
-
-    /// Where the sphere round a long chord touched something that the ball itself is not at yet: a short chord leads there.
-    /// False where that is not so, or may not be.
-    bool headForTouched()
-    {
-        const std::optional<glm::dvec3> point = m_step.probe().touched();
-        if (m_isNear || !point) {
-            return false;
-        }
-        const glm::dvec3 way = m_ball.position - *point;
-        const double distance = glm::length(way);
-        const double gap = distance - m_step.radius();
-        if (gap <= m_step.skin()) {
-            return false;
-        }
-        const glm::dvec3 direction = way / distance;
-        const double time = beyond * timeToFall(m_ball.velocity, m_gravity, direction, gap);
-        const Chord next = chordOf(m_ball.velocity, m_gravity, std::min(time, m_step.left()));
-        if (next.sag > leastSag * m_step.skin()) {
-            return false; // it would be in the way of what it has been swept past
-        }
-        m_step.expect(direction);
-        m_isNear = true;
-        m_gap = gap;
-        m_looksAhead = false;
-        return true;
     }
 
     /// To the end of the step, and on for a time that is free from here and no less.
@@ -246,7 +215,7 @@ private:
             m_looksAhead && m_step.probe().surface().isExact ? stepsAhead * m_step.laws().timeStep : 0.0;
         double time = timeForward(m_ball.velocity, m_gravity, std::min(std::max(m_step.left(), ahead), m_longest));
         if (m_isNear) {
-            time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_gap));
+            time = std::min(time, beyond * timeToFall(m_ball.velocity, m_gravity, m_step.direction(), m_step.room()));
         }
         Chord chord = chordOf(m_ball.velocity, m_gravity, time);
         while (chord.time > m_step.left() && chord.sag > mostSag * m_step.radius()) {
@@ -309,9 +278,6 @@ private:
             advance(time, pathFor(time));
             m_step.setClearance(radius);
             m_hasLanded = m_isCautious = false;
-            if (headForTouched()) {
-                return true;
-            }
         }
         arrive(chord.sag);
         m_longest = std::numeric_limits<double>::infinity();
@@ -338,8 +304,6 @@ private:
     const glm::dvec3 m_gravity;
     bool m_hasLanded = false;
     bool m_isNear = false;
-    /// To what is near, if it is.
-    double m_gap = 0.0;
     bool m_isCautious = false;
     /// What is near is touched in short ways.
     bool m_looksAhead = true;

@@ -46,11 +46,6 @@ public:
 
     /// Which share of a straight way a sphere goes before it touches; 1 for all of it.
     [[nodiscard]] double freeShare(const glm::dvec3 &from, const glm::dvec3 &way, double radius);
-    /// The point of the surface that this sphere touched.
-    [[nodiscard]] std::optional<glm::dvec3> touched() const
-    {
-        return m_touch.isFound() ? std::optional(m_touch.point) : std::nullopt;
-    }
 
 private:
     void count(const SearchCost &cost);
