@@ -4,6 +4,7 @@
 
 #include <expected>
 #include <optional>
+#include <utility>
 
 #include <QCommandLineParser>
 
@@ -23,6 +24,9 @@ struct Options {
     QCommandLineOption json{QStringLiteral("json"), QStringLiteral("For machines.")};
     QCommandLineOption html{QStringLiteral("html"), QStringLiteral("Write a page with plots; - is stdout."),
                             QStringLiteral("OUT.html")};
+    QCommandLineOption timeStep{
+        QStringLiteral("timestep"),
+        QStringLiteral("Also what the time step costs, on balls that are dropped: energy and where they land.")};
     QCommandLineOption radius{QStringLiteral("radius"),
                               QStringLiteral("Of the ball that may collide (default: the least of the scene, or 2 % of "
                                              "the diagonal)."),
@@ -33,6 +37,7 @@ struct Options {
 /// What was asked for beside the file.
 struct Wanted {
     ColliderTrial::Options colliders = {};
+    bool withSteps = false;
     bool isJson = false;
     /// Empty for none.
     QString page = {};
@@ -41,7 +46,9 @@ struct Wanted {
 /// Complains where the options make no sense.
 std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &options)
 {
-    Wanted wanted{.isJson = parser.isSet(options.json), .page = parser.value(options.html)};
+    Wanted wanted{.withSteps = parser.isSet(options.timeStep),
+                  .isJson = parser.isSet(options.json),
+                  .page = parser.value(options.html)};
     if (parser.isSet(options.html) && wanted.page.isEmpty()) {
         complain(QStringLiteral("--html takes a file"));
         return std::nullopt;
@@ -74,9 +81,20 @@ std::expected<Measurement, std::string> measured(const Input &input, const QStri
     if (!balls) {
         return std::unexpected(balls.error());
     }
-    return tryColliders(input.scene, *balls, wanted.colliders, context).transform([&](ColliderTrial &&colliders) {
-        return Measurement{shownName(file), std::move(colliders)};
-    });
+    Measurement measurement{.source = shownName(file), .colliders = {}};
+    auto colliders = tryColliders(input.scene, *balls, wanted.colliders, context);
+    if (!colliders) {
+        return std::unexpected(colliders.error());
+    }
+    measurement.colliders = std::move(*colliders);
+    if (wanted.withSteps) {
+        auto steps = tryTimeSteps(input.scene, *balls, {.ballRadius = wanted.colliders.ballRadius}, context);
+        if (!steps) {
+            return std::unexpected(steps.error());
+        }
+        measurement.steps = std::move(*steps);
+    }
+    return measurement;
 }
 
 /// The page where it is wanted, and what goes to stdout. Whether that could be done.
@@ -101,7 +119,7 @@ int runMeasure(const QStringList &arguments)
         "and errors are the same in every run; times are the median of several rounds. Shares are in per cent, with "
         "what they are of all (95 % confidence) in brackets."));
     const Options options;
-    parser.addOptions({options.json, options.html, options.radius, depthOption(), options.quiet});
+    parser.addOptions({options.timeStep, options.json, options.html, options.radius, depthOption(), options.quiet});
     const auto file = parseArguments(parser, "measure", arguments);
     if (!file) {
         return file.error();

@@ -79,6 +79,25 @@ QJsonObject json(const ColliderTrial::Set &set)
             {QStringLiteral("undecided"), number(set.undecided)}};
 }
 
+QJsonObject json(const StepRow &row)
+{
+    QJsonObject object{
+        {QStringLiteral("integrator"),
+         row.isAsInDissertation ? QStringLiteral("dissertation") : QStringLiteral("romanesco")},
+        {QStringLiteral("dt"), row.timeStep},
+        {QStringLiteral("balls"), number(row.balls)},
+        {QStringLiteral("face_tests_mean"), row.faceTests},
+        {QStringLiteral("queries_mean"), row.queries},
+        {QStringLiteral("energy_median"), row.energyMedian},
+        {QStringLiteral("energy_worst"), row.energyWorst},
+        {QStringLiteral("landing_median"), row.landingMedian},
+        {QStringLiteral("landing_worst"), row.landingWorst},
+    };
+    put(object, QStringLiteral("us_median"), QStringLiteral("us_quartiles"), row.microseconds, true);
+    put(object, QStringLiteral("missed"), row.missed, true);
+    return object;
+}
+
 template<typename Things>
 QJsonArray jsonOfAll(const Things &things)
 {
@@ -103,6 +122,9 @@ QByteArray jsonOf(const Measurement &measurement)
         {QStringLiteral("sets"), jsonOfAll(trial.sets)},
         {QStringLiteral("colliders"), jsonOfAll(trial.rows)},
     };
+    if (measurement.steps) {
+        object[QStringLiteral("timestep")] = jsonOfAll(measurement.steps->rows);
+    }
     return QJsonDocument(object).toJson();
 }
 

@@ -50,6 +50,20 @@ std::string tableOfBuilding(const ColliderTrial &trial)
     return text;
 }
 
+std::string tableOfSteps(const StepTrial &trial)
+{
+    constexpr std::string_view steps = "  {:<17} {:>5} {:>9} {:>9} {:>9} {:>13} {:>9} {:>14} {:>9} {:>16}\n";
+    std::string text = std::format("\ntime step: {}\n", wordsOf(trial))
+        + std::format(steps, "step, s", "balls", "faces/s", "queries/s", "µs/s", "energy off by", "worst",
+                      "landing off by", "worst", "missed %");
+    for (const StepRow &row : trial.rows) {
+        text += std::format(steps, nameOf(row), row.balls, figure(row.faceTests), figure(row.queries),
+                            figure(row.microseconds.median), figure(row.energyMedian), figure(row.energyWorst),
+                            figure(row.landingMedian), figure(row.landingWorst), percent(row.missed));
+    }
+    return text;
+}
+
 }
 
 std::string tableOf(const Measurement &measurement)
@@ -59,7 +73,8 @@ std::string tableOf(const Measurement &measurement)
     for (const ColliderTrial::Set &set : trial.sets) {
         text += tableOfSet(trial, set);
     }
-    return text + tableOfBuilding(trial);
+    text += tableOfBuilding(trial);
+    return measurement.steps ? text + tableOfSteps(*measurement.steps) : text;
 }
 
 }

@@ -20,7 +20,6 @@ using Options = ColliderTrial::Options;
 using Result = std::expected<ColliderTrial, std::string>;
 
 constexpr std::array tolerances{1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5};
-constexpr double shareOfDiagonal = 0.02;
 constexpr int timedRounds = 7;
 constexpr double leastRoundSeconds = 0.004;
 constexpr int mostBuilds = 7;
@@ -75,13 +74,6 @@ std::string obstacleTo(ColliderKind kind, const std::optional<Count> &faces, std
                                      : std::format("not possible: {} (at most {})", facesText(faces), grouped(most));
 }
 
-/// The least of the balls'.
-double radiusOf(const Subject &subject)
-{
-    return subject.balls.empty() ? shareOfDiagonal * subject.diagonal
-                                 : std::ranges::min(subject.balls, {}, &Ball::radius).radius;
-}
-
 /// Measures how long a collider takes for its part of an examination, by the round.
 std::vector<double> nanosecondsOf(const Collider &collider, const Examination &examination, std::size_t asked,
                                   const std::stop_token &stop)
@@ -129,7 +121,7 @@ public:
         m_context.tell("faces", 0.0);
         m_made.faces = facesOf(m_subject.surface);
         m_made.diagonal = m_subject.diagonal;
-        m_made.ballRadius = m_options.ballRadius.value_or(radiusOf(m_subject));
+        m_made.ballRadius = m_options.ballRadius.value_or(defaultBallRadius(m_subject));
         auto examined = examinations(m_subject, m_options.points, m_made.ballRadius, m_context);
         if (!examined) {
             return std::unexpected(examined.error());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "examination.h"
 
+#include <algorithm>
 #include <cmath>
 #include <format>
 #include <utility>
@@ -17,6 +18,7 @@ namespace romanesco {
 namespace {
 
 constexpr double farthest = 1e100;
+constexpr double shareOfDiagonal = 0.02;
 /// Of a set: some two seconds.
 constexpr std::uint64_t mostOperations = 20'000'000;
 
@@ -83,6 +85,12 @@ std::expected<Subject, std::string> Subject::of(std::shared_ptr<const Scene> sce
         return std::unexpected("the surface is a single point: there is nothing to measure");
     }
     return subject;
+}
+
+double defaultBallRadius(const Subject &subject)
+{
+    return subject.balls.empty() ? shareOfDiagonal * subject.diagonal
+                                 : std::ranges::min(subject.balls, {}, &Ball::radius).radius;
 }
 
 std::uint64_t operationsOf(const SearchCost &cost)

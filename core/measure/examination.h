@@ -47,6 +47,9 @@ struct Subject {
                                                                 std::span<const Ball> balls);
 };
 
+/// Of the least ball, or 2 % of the diagonal where there is none.
+[[nodiscard]] double defaultBallRadius(const Subject &subject);
+
 /// Operations that an answer took, of all kinds: a node costs about as much as four faces.
 [[nodiscard]] std::uint64_t operationsOf(const SearchCost &cost);
 

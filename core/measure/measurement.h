@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "collidertrial.h"
+#include "steptrial.h"
 
 namespace romanesco {
 
@@ -13,6 +15,8 @@ struct Measurement {
     /// What the scene is called.
     std::string source;
     ColliderTrial colliders;
+    /// Where it is asked for.
+    std::optional<StepTrial> steps = {};
 };
 
 }

@@ -113,6 +113,41 @@ std::string buildingOf(const ColliderTrial &trial)
     return text + tableEnd();
 }
 
+/// By what a ball costs.
+std::string plotOf(const StepTrial &trial, double StepRow::*error, const char *errorAxis)
+{
+    std::vector<PlotPoint> points;
+    for (const StepRow &row : trial.rows) {
+        if (row.microseconds.median > 0.0) {
+            points.push_back({.label = nameOf(row),
+                              .group = row.isAsInDissertation ? 2 : 0,
+                              .cost = row.microseconds.median,
+                              .error = row.*error,
+                              .spread = row.microseconds});
+        }
+    }
+    return errorPlot(points, "microseconds a ball and second", errorAxis);
+}
+
+std::string sectionOf(const StepTrial &trial)
+{
+    std::string text =
+        std::format("<h2>time step</h2>\n<p>{}. The energy is off in parts of what it fell with, the "
+                    "landing in radii.</p>\n<div class=\"plots\">\n{}{}</div>\n",
+                    escaped(wordsOf(trial)), plotOf(trial, &StepRow::energyWorst, "energy off by, at worst"),
+                    plotOf(trial, &StepRow::landingWorst, "landing off by, at worst, in radii"));
+    text += tableHead({"step, s", "balls", "face tests/s", "queries/s", "µs/s", "energy off by", "at worst",
+                       "landing off by", "at worst", "missed, %"});
+    for (const StepRow &row : trial.rows) {
+        text +=
+            std::format("<tr>{}{}{}{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(grouped(row.balls)),
+                        cell(figure(row.faceTests)), cell(figure(row.queries)), cell(figure(row.microseconds.median)),
+                        cell(figure(row.energyMedian)), cell(figure(row.energyWorst)), cell(figure(row.landingMedian)),
+                        cell(figure(row.landingWorst)), cell(row.missed));
+    }
+    return text + tableEnd();
+}
+
 }
 
 std::string pageOf(const Measurement &measurement)
@@ -132,7 +167,9 @@ std::string pageOf(const Measurement &measurement)
     for (const ColliderTrial::Set &set : trial.sets) {
         text += sectionOf(trial, set);
     }
-    return text + buildingOf(trial) + "</body>\n</html>\n";
+    text += buildingOf(trial);
+    text += measurement.steps ? sectionOf(*measurement.steps) : std::string();
+    return text + "</body>\n</html>\n";
 }
 
 }

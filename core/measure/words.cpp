@@ -97,4 +97,10 @@ std::string wordsOf(const ColliderTrial::Set &set)
     return words;
 }
 
+std::string wordsOf(const StepTrial &trial)
+{
+    return std::format("balls of radius {:.4g} that bounce for ever fall {:.3g} to {:.3g} and go on, {:.3g} s in all",
+                       trial.ballRadius, 0.5 * trial.height, trial.height, trial.seconds);
+}
+
 }

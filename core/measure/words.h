@@ -8,6 +8,7 @@
 #include "collidertrial.h"
 #include "core/base/count.h"
 #include "share.h"
+#include "steptrial.h"
 
 /// How figures are shown to people.
 namespace romanesco {
@@ -30,5 +31,6 @@ namespace romanesco {
 /// What is measured, in a sentence.
 [[nodiscard]] std::string wordsOf(const ColliderTrial &trial);
 [[nodiscard]] std::string wordsOf(const ColliderTrial::Set &set);
+[[nodiscard]] std::string wordsOf(const StepTrial &trial);
 
 }
