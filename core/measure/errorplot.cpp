@@ -183,9 +183,11 @@ private:
         m_svg += std::format("<g class=\"point\"><title>{}: cost {}, error {}{}</title>", escaped(point.label),
                              figure(point.cost), figure(point.error), isOnFront ? ", on the front" : "");
         if (point.spread && point.spread->lowerQuartile > 0.0) {
-            m_svg += std::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>",
-                                 std::max(xOf(point.spread->lowerQuartile), left), y,
-                                 std::min(xOf(point.spread->upperQuartile), width - right), y, colour);
+            const double from = std::max(xOf(point.spread->lowerQuartile), left);
+            const double to = std::min(xOf(point.spread->upperQuartile), width - right);
+            m_taken.push_back({from, y - 1.0, to - from, 2.0});
+            m_svg += std::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>", from,
+                                 y, to, y, colour);
         }
         m_svg += std::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\" fill=\"{}\" stroke=\"{}\" "
                              "stroke-width=\"1.5\"/></g>\n",
@@ -207,7 +209,7 @@ private:
                                            {8.0, 17.0},
                                            {-8.0 - wide, -9.0},
                                            {-8.0 - wide, 17.0}}) {
-            const Place place{x + fromX, y + fromY - letterHeight + 3.0, wide, letterHeight};
+            const Place place{x + fromX - 2.0, y + fromY - letterHeight + 3.0, wide + 4.0, letterHeight};
             const bool isInside = place.x >= all.x && place.y >= all.y && place.x + place.width <= all.x + all.width
                 && place.y + place.height <= all.y + all.height;
             const bool isFree =
