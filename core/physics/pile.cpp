@@ -17,7 +17,7 @@ namespace romanesco {
 namespace {
 
 constexpr int sweeps = 50;
-constexpr int sweepsOfOverlap = 30;
+constexpr int sweepsOfOverlap = 60;
 constexpr int rounds = 6;
 constexpr double lean = 1e-6;
 /// Of the radius: where a ball comes to lie off a surface.
