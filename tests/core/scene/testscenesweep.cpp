@@ -285,7 +285,8 @@ void TestSceneSweep::itemsMayBeOfAnySize()
             scaled.search()->sweep(there, other);
             QCOMPARE(one.isFound(), other.isFound());
             QVERIFY(!one.isFound() || std::abs(one.time - other.time) < 1e-6);
-            QVERIFY(!one.isFound() || glm::distance(one.point, other.point / size) < 1e-5);
+            // what grazes goes along a face by the root of how late a time may be: 0.0045 radii
+            QVERIFY(!one.isFound() || glm::distance(one.point, other.point / size) < 5e-5);
         }
     }
 }
