@@ -355,7 +355,7 @@ void TestMeasure::cancellingLeavesNothing()
     process.start(QStringLiteral(ROMANESCO_PROGRAM),
                   {"measure", examples + "menger.fdo", "--depth", "4", "--html", path("old.html")});
     QVERIFY(process.waitForStarted());
-    QTest::qWait(1'500);
+    QTest::qWait(3'000); // by then it hears signals, on a slow machine too
     QCOMPARE(process.state(), QProcess::Running);
     QCOMPARE(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
     const Outcome outcome = outcomeOf(process);
