@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSurfaceFormat>
 
 #include "cli/commandline.h"
@@ -63,6 +64,7 @@ int runEditor(int argc, char *argv[], const QStringList &files)
         return cli::CannotDo;
     }
 
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/org.romanesco.Romanesco.svg")));
     applyAppearance(Preferences::read().appearance);
     MainWindow window;
     bool isAny = files.isEmpty() && window.openSession();
@@ -100,7 +102,7 @@ int main(int argc, char *argv[])
     QCoreApplication::setApplicationName(QStringLiteral("romanesco"));
     QCoreApplication::setApplicationVersion(QStringLiteral(ROMANESCO_VERSION));
     QGuiApplication::setApplicationDisplayName(QStringLiteral("Romanesco"));
-    QGuiApplication::setDesktopFileName(QStringLiteral("romanesco"));
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.romanesco.Romanesco"));
 
     // A file may be no larger than a limit of the user's: an error, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);

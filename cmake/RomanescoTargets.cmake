@@ -19,5 +19,6 @@ target_include_directories(romanesco_options INTERFACE ${PROJECT_SOURCE_DIR})
 function(romanesco_library name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
     add_library(${name} STATIC ${ARG_SOURCES})
-    target_link_libraries(${name} PUBLIC romanesco_options ${ARG_LINKS})
+    # How the project is compiled is nothing to those who use an installed library.
+    target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:romanesco_options> ${ARG_LINKS})
 endfunction()
