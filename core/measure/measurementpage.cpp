@@ -6,7 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "errorplot.h"
+#include "trialplots.h"
 #include "words.h"
 
 namespace romanesco {
@@ -70,29 +70,20 @@ std::string rowOf(const ColliderRow &row)
         cell(survey.missed));
 }
 
-/// By what an answer costs.
-std::string plotOf(const ColliderTrial &trial, QuerySet set, bool isByTime)
+/// Beside one another.
+std::string drawn(const std::vector<TrialPlot> &plots)
 {
-    std::vector<PlotPoint> points;
-    for (const ColliderRow &row : trial.rows) {
-        const double cost = isByTime ? row.nanoseconds.median : row.survey.faceTestsMean;
-        if (row.queries == set && row.reason.empty() && cost > 0.0) {
-            points.push_back({.label = nameOf(row),
-                              .group = static_cast<int>(row.kind),
-                              .cost = cost,
-                              .error = row.survey.worst,
-                              .spread = isByTime ? std::optional(row.nanoseconds) : std::nullopt});
-        }
+    std::string text = "<div class=\"plots\">\n";
+    for (const TrialPlot &plot : plots) {
+        text += errorPlot(plot.points, plot.costAxis, plot.errorAxis);
     }
-    return errorPlot(points, isByTime ? "nanoseconds a query" : "face tests a query",
-                     "largest error, in parts of the distance");
+    return text + "</div>\n";
 }
 
 std::string sectionOf(const ColliderTrial &trial, const ColliderTrial::Set &set)
 {
-    std::string text =
-        std::format("<h2>{}</h2>\n<p>{}.</p>\n<div class=\"plots\">\n{}{}</div>\n", nameOf(set.queries),
-                    escaped(wordsOf(set)), plotOf(trial, set.queries, true), plotOf(trial, set.queries, false));
+    std::string text = std::format("<h2>{}</h2>\n<p>{}.</p>\n{}", nameOf(set.queries), escaped(wordsOf(set)),
+                                   drawn(plotsOf(trial, set.queries)));
     text += tableHead({"collider", "asked", "face tests", "p99", "nodes", "µs", "wrong by 1e-6, %", "by 1 %, %",
                        "by 10 %, %", "largest error", "missed, %"});
     for (const ColliderRow &row : trial.rows) {
@@ -113,29 +104,11 @@ std::string buildingOf(const ColliderTrial &trial)
     return text + tableEnd();
 }
 
-/// By what a ball costs.
-std::string plotOf(const StepTrial &trial, double StepRow::*error, const char *errorAxis)
-{
-    std::vector<PlotPoint> points;
-    for (const StepRow &row : trial.rows) {
-        if (row.microseconds.median > 0.0) {
-            points.push_back({.label = nameOf(row),
-                              .group = row.isAsInDissertation ? 2 : 0,
-                              .cost = row.microseconds.median,
-                              .error = row.*error,
-                              .spread = row.microseconds});
-        }
-    }
-    return errorPlot(points, "microseconds a ball and second", errorAxis);
-}
-
 std::string sectionOf(const StepTrial &trial)
 {
-    std::string text =
-        std::format("<h2>time step</h2>\n<p>{}. The energy is off in parts of what it fell with, the "
-                    "landing in radii.</p>\n<div class=\"plots\">\n{}{}</div>\n",
-                    escaped(wordsOf(trial)), plotOf(trial, &StepRow::energyWorst, "energy off by, at worst"),
-                    plotOf(trial, &StepRow::landingWorst, "landing off by, at worst, in radii"));
+    std::string text = std::format("<h2>time step</h2>\n<p>{}. The energy is off in parts of what it fell with, the "
+                                   "landing in radii.</p>\n{}",
+                                   escaped(wordsOf(trial)), drawn(plotsOf(trial)));
     text += tableHead({"step, s", "balls", "face tests/s", "queries/s", "µs/s", "energy off by", "at worst",
                        "landing off by", "at worst", "missed, %"});
     for (const StepRow &row : trial.rows) {
