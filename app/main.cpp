@@ -56,8 +56,6 @@ int runEditor(int argc, char *argv[], const QStringList &files)
     format.setProfile(QSurfaceFormat::CoreProfile);
     format.setOption(QSurfaceFormat::ResetNotification);
     QSurfaceFormat::setDefaultFormat(format);
-    // Without it a dock that is torn off would lose the viewport's context.
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     if (QApplication::platformName() == QLatin1String(lastPlatform)) {
         cli::complain(QLatin1String(noDisplay));

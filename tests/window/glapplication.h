@@ -12,7 +12,7 @@ namespace romanesco::test {
 /// Runs a test class as the program runs, with OpenGL 4.5, and with its state and settings in a folder of its own. With "embedded" in the
 /// environment's ROMANESCO_TEST_OPENGL, with OpenGL ES.
 template<typename Class>
-int runWithGl(int argc, char **argv, bool sharesContexts = true)
+int runWithGl(int argc, char **argv)
 {
     const QTemporaryDir home;
     qputenv("XDG_STATE_HOME", QFile::encodeName(home.path()));
@@ -26,7 +26,6 @@ int runWithGl(int argc, char **argv, bool sharesContexts = true)
         format.setRenderableType(QSurfaceFormat::OpenGLES);
     }
     QSurfaceFormat::setDefaultFormat(format);
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts, sharesContexts);
     const QApplication application(argc, argv);
     Class test;
     return QTest::qExec(&test, argc, argv);

@@ -139,6 +139,6 @@ void TestGlFailures::anotherWindowsContextDrawsOn()
 
 int main(int argc, char **argv)
 {
-    return runWithGl<TestGlFailures>(argc, argv, false);
+    return runWithGl<TestGlFailures>(argc, argv);
 }
 #include "testglfailures.moc"
