@@ -128,8 +128,7 @@ std::size_t rootOf(std::vector<std::size_t> &parents, std::size_t ball)
 
 double reachOf(const BallState &ball, const Laws &laws, double time)
 {
-    const double fall = 0.5 * glm::length(laws.gravityOn(ball)) * time * time;
-    const double way = ball.isAsleep ? 0.0 : glm::length(ball.velocity) * time + fall;
+    const double way = ball.isAsleep ? 0.0 : longestWay(ball.velocity, laws.gravityOn(ball), time);
     return ball.radius * (1.0 + margin) + way;
 }
 

@@ -27,8 +27,7 @@ constexpr int mostTimes = 100;
 double wayOf(const World &world, const BallState &ball)
 {
     const Laws &laws = world.laws(ball.place);
-    const double time = laws.timeStep;
-    return glm::length(ball.velocity) * time + 0.5 * glm::length(laws.gravityOn(ball)) * time * time;
+    return longestWay(ball.velocity, laws.gravityOn(ball), laws.timeStep);
 }
 
 /// An anchor tells only so many levels at a time.

@@ -5,10 +5,18 @@
 #include <cstdint>
 #include <vector>
 
+#include <glm/geometric.hpp>
+
 #include "ball.h"
 #include "probe.h"
 
 namespace romanesco {
+
+/// The longest way that anything can go within a time.
+[[nodiscard]] inline double longestWay(const glm::dvec3 &velocity, const glm::dvec3 &gravity, double time)
+{
+    return glm::length(velocity) * time + 0.5 * glm::length(gravity) * time * time;
+}
 
 /// What all balls of a world obey.
 struct Laws {

@@ -118,10 +118,7 @@ public:
     }
 
 private:
-    [[nodiscard]] double pathFor(double time) const
-    {
-        return glm::length(m_ball.velocity) * time + 0.5 * glm::length(m_gravity) * time * time;
-    }
+    [[nodiscard]] double pathFor(double time) const { return longestWay(m_ball.velocity, m_gravity, time); }
 
     /// Goes to the end where nothing can be in the way.
     bool isFree()
@@ -245,8 +242,12 @@ private:
         // how near it is to what it may touch at once is not asked before it does
         const Chord chord =
             nextChord(m_step.isMeasured() ? std::max(0.0, room - stand) : std::numeric_limits<double>::infinity());
-        if (chord.length == 0.0) {
-            advance(m_step.left(), 0.0); // too little to be told
+        if (chord.length == 0.0) { // too little to be told
+            const double path = pathFor(m_step.left());
+            if (path > m_step.skin()) {
+                return false;
+            }
+            advance(m_step.left(), path);
             return true;
         }
         const double radius = m_step.radius() + stand;
