@@ -272,6 +272,7 @@ private:
     {
         m_passStart = Clock::now();
         m_isDrawn = false;
+        m_faces = 0;
         if (m_cut) {
             m_projector.emplace(m_view.camera, m_surroundings->nearby, m_surroundings->reach, m_view.width,
                                 m_view.height);
@@ -332,6 +333,7 @@ private:
         }
         glDisable(GL_FRAMEBUFFER_SRGB);
         m_looks.sent(copies.size() * faces);
+        m_faces += copies.size() * faces;
         glFlush();
     }
 
@@ -438,6 +440,7 @@ private:
         m_sumCount = ++m_passes;
         m_statistics.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - m_passStart).count();
         m_statistics.instances = m_cut ? m_cut->instanceCount() : 0;
+        m_statistics.faces = m_faces;
         m_statistics.statesVisited = m_cut ? m_cut->statesVisited() : 0;
         if (!isFinished()) {
             beginPass();
@@ -460,6 +463,8 @@ private:
     double m_roughness = 1.0;
     int m_sumCount = 0;
     Clock::time_point m_passStart;
+    /// Of the pass under way.
+    std::uint64_t m_faces = 0;
     DrawStatistics m_statistics;
 
     GlProgram m_accumulateProgram;

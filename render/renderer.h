@@ -53,6 +53,7 @@ struct Picture {
 /// What the last finished pass over the scene took.
 struct DrawStatistics {
     std::uint64_t instances = 0;
+    std::uint64_t faces = 0;
     std::uint64_t statesVisited = 0;
     /// Own buffers, on the graphics card and off it, without the picture's.
     std::size_t bufferBytes = 0;

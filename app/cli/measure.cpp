@@ -8,6 +8,7 @@
 
 #include <QCommandLineParser>
 
+#include "app/imagedecoder.h"
 #include "colliderchoice.h"
 #include "core/measure/measurementpage.h"
 #include "core/physics/scenephysics.h"
@@ -15,6 +16,7 @@
 #include "measurejson.h"
 #include "measuretable.h"
 #include "output.h"
+#include "render/headless/sceneframes.h"
 
 namespace romanesco::cli {
 
@@ -27,6 +29,9 @@ struct Options {
     QCommandLineOption timeStep{
         QStringLiteral("timestep"),
         QStringLiteral("Also what the time step costs, on balls that are dropped: energy and where they land.")};
+    QCommandLineOption rendering{
+        QStringLiteral("rendering"),
+        QStringLiteral("Also what pictures cost, and how far off they are, by the pixel tolerance.")};
     QCommandLineOption radius{QStringLiteral("radius"),
                               QStringLiteral("Of the ball that may collide (default: the least of the scene, or 2 % of "
                                              "the diagonal)."),
@@ -38,6 +43,7 @@ struct Options {
 struct Wanted {
     ColliderTrial::Options colliders = {};
     bool withSteps = false;
+    bool withFrames = false;
     bool isJson = false;
     /// Empty for none.
     QString page = {};
@@ -47,6 +53,7 @@ struct Wanted {
 std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &options)
 {
     Wanted wanted{.withSteps = parser.isSet(options.timeStep),
+                  .withFrames = parser.isSet(options.rendering),
                   .isJson = parser.isSet(options.json),
                   .page = parser.value(options.html)};
     if (parser.isSet(options.html) && wanted.page.isEmpty()) {
@@ -74,6 +81,13 @@ int refuse(const QString &file, const std::string &words)
     return CannotDo;
 }
 
+/// Where nothing can be drawn, the trial says so.
+std::expected<FrameTrial, std::string> framesOf(const std::shared_ptr<const Scene> &scene, const TrialContext &context)
+{
+    const auto source = SceneFrames::create(scene, FrameTrial::width, FrameTrial::height);
+    return source ? tryFrames(**source, *scene, {}, context) : FrameTrial{.reason = source.error()};
+}
+
 std::expected<Measurement, std::string> measured(const Input &input, const QString &file, const Wanted &wanted,
                                                  const TrialContext &context)
 {
@@ -93,6 +107,13 @@ std::expected<Measurement, std::string> measured(const Input &input, const QStri
             return std::unexpected(steps.error());
         }
         measurement.steps = std::move(*steps);
+    }
+    if (wanted.withFrames) {
+        auto frames = framesOf(input.scene, context);
+        if (!frames) {
+            return std::unexpected(frames.error());
+        }
+        measurement.frames = std::move(*frames);
     }
     return measurement;
 }
@@ -119,7 +140,8 @@ int runMeasure(const QStringList &arguments)
         "and errors are the same in every run; times are the median of several rounds. Shares are in per cent, with "
         "what they are of all (95 % confidence) in brackets."));
     const Options options;
-    parser.addOptions({options.timeStep, options.json, options.html, options.radius, depthOption(), options.quiet});
+    parser.addOptions({options.timeStep, options.rendering, options.json, options.html, options.radius, depthOption(),
+                       options.quiet});
     const auto file = parseArguments(parser, "measure", arguments);
     if (!file) {
         return file.error();
@@ -128,7 +150,7 @@ int runMeasure(const QStringList &arguments)
     if (!wanted) {
         return WrongUsage;
     }
-    const auto input = readInput(*file, parser);
+    const auto input = readInput(*file, parser, wanted->withFrames ? ImageDecoder(decodeImage) : ImageDecoder());
     if (!input) {
         return input.error();
     }

@@ -98,6 +98,36 @@ QJsonObject json(const StepRow &row)
     return object;
 }
 
+QJsonObject json(const FrameRow &row)
+{
+    const bool isThere = row.reason.empty();
+    const auto orNull = [&](const QJsonValue &value) { return isThere ? value : QJsonValue(); };
+    QJsonObject object{
+        {QStringLiteral("place"), text(nameOf(row.place))},
+        {QStringLiteral("tolerance"), row.tolerance},
+        {QStringLiteral("copies"), orNull(number(row.cost.copies))},
+        {QStringLiteral("faces"), orNull(number(row.cost.faces))},
+        {QStringLiteral("states"), orNull(number(row.cost.statesVisited))},
+        {QStringLiteral("bytes"), orNull(number(row.cost.bytes))},
+        {QStringLiteral("rms"), orNull(row.moving.rms)},
+        {QStringLiteral("off"), orNull(row.moving.share)},
+        {QStringLiteral("rms_alone"), orNull(row.alone.rms)},
+        {QStringLiteral("off_alone"), orNull(row.alone.share)},
+        {QStringLiteral("reason"), isThere ? QJsonValue() : QJsonValue(text(row.reason))},
+    };
+    put(object, QStringLiteral("ms_median"), QStringLiteral("ms_quartiles"), row.milliseconds, isThere);
+    return object;
+}
+
+QJsonObject json(const FrameReference &reference)
+{
+    return {{QStringLiteral("place"), text(nameOf(reference.place))},
+            {QStringLiteral("tolerance"), reference.tolerance},
+            {QStringLiteral("samples"), reference.samples},
+            {QStringLiteral("rms_leftover"), reference.leftover.rms},
+            {QStringLiteral("off_leftover"), reference.leftover.share}};
+}
+
 template<typename Things>
 QJsonArray jsonOfAll(const Things &things)
 {
@@ -106,6 +136,17 @@ QJsonArray jsonOfAll(const Things &things)
         array.append(json(thing));
     }
     return array;
+}
+
+QJsonObject json(const FrameTrial &trial)
+{
+    const bool isThere = trial.reason.empty();
+    return {{QStringLiteral("reason"), isThere ? QJsonValue() : QJsonValue(text(trial.reason))},
+            {QStringLiteral("device"), isThere ? QJsonValue(text(trial.device)) : QJsonValue()},
+            {QStringLiteral("width"), FrameTrial::width},
+            {QStringLiteral("height"), FrameTrial::height},
+            {QStringLiteral("references"), jsonOfAll(trial.references)},
+            {QStringLiteral("rows"), jsonOfAll(trial.rows)}};
 }
 
 }
@@ -124,6 +165,9 @@ QByteArray jsonOf(const Measurement &measurement)
     };
     if (measurement.steps) {
         object[QStringLiteral("timestep")] = jsonOfAll(measurement.steps->rows);
+    }
+    if (measurement.frames) {
+        object[QStringLiteral("rendering")] = json(*measurement.frames);
     }
     return QJsonDocument(object).toJson();
 }

@@ -64,6 +64,29 @@ std::string tableOfSteps(const StepTrial &trial)
     return text;
 }
 
+std::string tableOfFrames(const FrameTrial &trial)
+{
+    constexpr std::string_view frames = "  {:<9} {:>9} {:>9} {:>9} {:>9} {:>9} {:>12} {:>7} {:>7} {:>10} {:>7}\n";
+    std::string text = std::format("\nrendering: {}\n", wordsOf(trial));
+    for (const FrameReference &reference : trial.references) {
+        text += std::format("\nrendering, {}: {}\n", nameOf(reference.place), wordsOf(reference))
+            + std::format(frames, "tolerance", "copies", "faces", "states", "ms", "a second", "bytes", "RMS", "off %",
+                          "RMS alone", "off %");
+        for (const FrameRow &row : trial.rows) {
+            if (row.place != reference.place) {
+                continue;
+            }
+            text += !row.reason.empty()
+                ? std::format("  {:<9} {}\n", nameOf(row), row.reason)
+                : std::format(frames, nameOf(row), grouped(row.cost.copies), grouped(row.cost.faces),
+                              grouped(row.cost.statesVisited), figure(row.milliseconds.median),
+                              figure(1e3 / row.milliseconds.median), grouped(row.cost.bytes), figure(row.moving.rms),
+                              figure(100.0 * row.moving.share), figure(row.alone.rms), figure(100.0 * row.alone.share));
+        }
+    }
+    return text;
+}
+
 }
 
 std::string tableOf(const Measurement &measurement)
@@ -74,7 +97,9 @@ std::string tableOf(const Measurement &measurement)
         text += tableOfSet(trial, set);
     }
     text += tableOfBuilding(trial);
-    return measurement.steps ? text + tableOfSteps(*measurement.steps) : text;
+    text += measurement.steps ? tableOfSteps(*measurement.steps) : std::string();
+    text += measurement.frames ? tableOfFrames(*measurement.frames) : std::string();
+    return text;
 }
 
 }

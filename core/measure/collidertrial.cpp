@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <format>
-#include <map>
 #include <utility>
 
-#include "core/fractal/counts.h"
 #include "core/scene/scenecollider.h"
+#include "scenefaces.h"
 #include "words.h"
 
 namespace romanesco {
@@ -42,25 +41,6 @@ std::vector<Way> allWays()
         ways.push_back({kind});
     }
     return ways;
-}
-
-/// Of all items; those of a model are counted once.
-std::optional<Count> facesOf(const std::vector<SceneItem> &items)
-{
-    std::map<const Model *, std::optional<Count>> known;
-    Count sum = 0;
-    for (const SceneItem &item : items) {
-        const Model &model = *item.model;
-        const auto [copies, isNew] = known.try_emplace(&model);
-        if (isNew) {
-            copies->second = instancesDistinct(model.graph);
-        }
-        if (!copies->second) {
-            return std::nullopt;
-        }
-        sum += *copies->second * Count(model.mesh->faces.size());
-    }
-    return sum;
 }
 
 /// Why a kind is not tried that looks at all faces or writes them out; empty where it is.

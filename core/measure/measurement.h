@@ -6,6 +6,7 @@
 #include <string>
 
 #include "collidertrial.h"
+#include "frametrial.h"
 #include "steptrial.h"
 
 namespace romanesco {
@@ -17,6 +18,7 @@ struct Measurement {
     ColliderTrial colliders;
     /// Where it is asked for.
     std::optional<StepTrial> steps = {};
+    std::optional<FrameTrial> frames = {};
 };
 
 }

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/fractal/counts.h"
+
 namespace romanesco {
 
 namespace {
@@ -52,6 +54,24 @@ FaceSource::Face faceOf(const Mesh &mesh, const AffineMap &map, std::mt19937_64 
             {map.linear * (mesh.vertices[face[1]] - corner), map.linear * (mesh.vertices[face[2]] - corner)}};
 }
 
+}
+
+std::optional<Count> facesOf(const std::vector<SceneItem> &items)
+{
+    std::map<const Model *, std::optional<Count>> known;
+    Count sum = 0;
+    for (const SceneItem &item : items) {
+        const Model &model = *item.model;
+        const auto [copies, isNew] = known.try_emplace(&model);
+        if (isNew) {
+            copies->second = instancesDistinct(model.graph);
+        }
+        if (!copies->second) {
+            return std::nullopt;
+        }
+        sum += *copies->second * Count(model.mesh->faces.size());
+    }
+    return sum;
 }
 
 SceneFaces::SceneFaces(const Scene &scene, double size)

@@ -4,13 +4,18 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/base/count.h"
 #include "core/fractal/statetable.h"
 #include "core/scene/scene.h"
 #include "queryplaces.h"
 
 namespace romanesco {
+
+/// Of all items, in their distinct copies; nothing where they are too many sets to count (see instancesDistinct()).
+[[nodiscard]] std::optional<Count> facesOf(const std::vector<SceneItem> &items);
 
 /// The faces of all objects and fractals of a scene, none written out: an item, then down its levels, then a face of the base
 /// mesh. Items and faces are equally likely, and so is at each level all that may come next, the end of the word included.

@@ -103,4 +103,20 @@ std::string wordsOf(const StepTrial &trial)
                        trial.ballRadius, 0.5 * trial.height, trial.height, trial.seconds);
 }
 
+std::string wordsOf(const FrameTrial &trial)
+{
+    return trial.reason.empty()
+        ? std::format("pictures of {} x {}, drawn by {}", FrameTrial::width, FrameTrial::height, trial.device)
+        : trial.reason;
+}
+
+std::string wordsOf(const FrameReference &reference)
+{
+    return std::format("{}, beside {} samples a pixel at a tolerance of {} px, which are off by {} of 255 themselves",
+                       reference.place == FramePlace::View
+                           ? "as the scene is looked at first"
+                           : "a sixteenth of the way off what is seen in the middle of that",
+                       reference.samples, briefly(reference.tolerance), figure(reference.leftover.rms));
+}
+
 }

@@ -7,6 +7,7 @@
 
 #include "collidertrial.h"
 #include "core/base/count.h"
+#include "frametrial.h"
 #include "share.h"
 #include "steptrial.h"
 
@@ -32,5 +33,7 @@ namespace romanesco {
 [[nodiscard]] std::string wordsOf(const ColliderTrial &trial);
 [[nodiscard]] std::string wordsOf(const ColliderTrial::Set &set);
 [[nodiscard]] std::string wordsOf(const StepTrial &trial);
+[[nodiscard]] std::string wordsOf(const FrameTrial &trial);
+[[nodiscard]] std::string wordsOf(const FrameReference &reference);
 
 }
