@@ -4,12 +4,15 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 namespace {
 
 std::atomic<std::size_t> count = 0;
 std::atomic<std::size_t> bytes = 0;
+/// Until one fails.
+thread_local std::size_t left = std::numeric_limits<std::size_t>::max();
 
 /// Before each block: its size, and room that keeps what follows aligned.
 constexpr std::size_t header = alignof(std::max_align_t);
@@ -20,7 +23,7 @@ static_assert(header >= sizeof(std::size_t));
 /// The standard's calls the other one; a sanitizer's own would not.
 void *operator new(std::size_t size, const std::nothrow_t &) noexcept
 {
-    void *block = std::malloc(header + size);
+    void *block = left-- == 0 ? nullptr : std::malloc(header + size);
     if (!block) {
         return nullptr;
     }
@@ -67,6 +70,11 @@ std::size_t allocationCount()
 std::size_t bytesAllocated()
 {
     return bytes;
+}
+
+void failAllocation(std::size_t after)
+{
+    left = after;
 }
 
 }

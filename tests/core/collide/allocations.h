@@ -13,4 +13,8 @@ std::size_t allocationCount();
 /// Bytes asked for and not given back.
 std::size_t bytesAllocated();
 
+/// After so many more, one that this thread asks for fails, once; another call takes its place, and nothing fails any more
+/// with the greatest number.
+void failAllocation(std::size_t after);
+
 }
