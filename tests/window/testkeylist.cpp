@@ -29,6 +29,23 @@ QHash<QString, QString> shownKeys(const KeyList &list)
     return keys;
 }
 
+/// The list as a page of the documentation.
+QByteArray pageOf(const KeyList &list)
+{
+    QString page = QStringLiteral("# Keys\n\nThe list that F1 shows, where a line above it narrows it.\n");
+    const QTreeWidget &tree = *list.findChild<QTreeWidget *>();
+    for (int i = 0; i < tree.topLevelItemCount(); ++i) {
+        const QTreeWidgetItem &group = *tree.topLevelItem(i);
+        if (group.childCount() > 0) {
+            page += QStringLiteral("\n## %1\n\n| | |\n|---|---|\n").arg(group.text(0));
+        }
+        for (int j = 0; j < group.childCount(); ++j) {
+            page += QStringLiteral("| %1 | %2 |\n").arg(group.child(j)->text(0), group.child(j)->text(1));
+        }
+    }
+    return page.toUtf8();
+}
+
 }
 
 /// All keys, by F1.
@@ -40,6 +57,7 @@ private Q_SLOTS:
     void wordsNarrow();
     void escapeCloses();
     void oneIsEnough();
+    void thePageHasThem();
 
 private:
     static KeyList *opened(Sample &sample)
@@ -110,6 +128,21 @@ void TestKeyList::oneIsEnough()
     QVERIFY(opened(sample));
     QTest::keyClick(&sample.editor, Qt::Key_F1);
     QCOMPARE(sample.window.findChildren<KeyList *>().size(), 1);
+}
+
+void TestKeyList::thePageHasThem()
+{
+    Sample sample;
+    const KeyList *list = opened(sample);
+    QVERIFY(list);
+    const QByteArray expected = pageOf(*list);
+    QFile page(QStringLiteral(ROMANESCO_SOURCE_DIR "/docs/keys.md"));
+    if (qEnvironmentVariableIsSet("ROMANESCO_ACCEPT")) {
+        QVERIFY(page.open(QIODevice::WriteOnly) && page.write(expected) == expected.size());
+        return;
+    }
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    QVERIFY2(page.readAll() == expected, "tests/golden/accept writes it anew");
 }
 
 int main(int argc, char **argv)
