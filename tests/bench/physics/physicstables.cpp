@@ -144,8 +144,7 @@ void PhysicsTables::writeCrowds(std::ostream &stream) const
     stream << "\nTwo sets of 7 in a tray of the same width, with a radius of 1 %: balls rain in and pile up on the "
               "fractal, "
               "among it and on\neach other, and nothing falls off (asked for: 1,000 that collide within real time). "
-              "*Touching*: share of the ball-steps\nof which something was touched. A dash: left out of this run, "
-              "since it takes minutes.\n";
+              "*Touching*: share of the ball-steps\nof which something was touched.\n";
     stream << head({"balls", "colliding: real time", "slowest", "CPU", "awake, %", "touching, %", "passing: real time",
                     "slowest", "CPU"});
     for (const std::size_t crowd : crowds) {
