@@ -47,6 +47,18 @@ Wide sierpinskiDistance(Vector p, int depth)
     return unit * least;
 }
 
+/// Of the walls of the cube from -1 to 1, from inside too.
+Wide cubeDistance(const Vector &p)
+{
+    Vector outside;
+    Wide inside = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        outside[axis] = std::max(Wide(abs(p[axis]) - 1), Wide(0));
+        inside = std::min(inside, Wide(1 - abs(p[axis])));
+    }
+    return inside > 0 ? inside : Wide(sqrt(square(outside)));
+}
+
 /// The cube's copies in its corners, a third as large: along each axis by itself, to the nearer end.
 Wide dustDistance(Vector p, int depth)
 {
@@ -57,13 +69,24 @@ Wide dustDistance(Vector p, int depth)
         }
         unit /= 3;
     }
-    Vector outside;
-    Wide inside = 1;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        outside[axis] = std::max(Wide(abs(p[axis]) - 1), Wide(0));
-        inside = std::min(inside, Wide(1 - abs(p[axis])));
+    return unit * cubeDistance(p);
+}
+
+/// The cube's copies at its corners and edges, a third as large. The planes through the middle mirror the sponge, along
+/// the axes and the diagonals, and those between a corner and the edges beside it mirror what is near: so what is nearest
+/// is on the same side of each as p.
+Wide mengerDistance(Vector p, int depth)
+{
+    Wide unit = 1;
+    for (int level = 0; level < depth; ++level) {
+        for (Wide &x : p) {
+            x = abs(x);
+        }
+        std::ranges::sort(p);
+        p = {3 * p[0] - (3 * p[0] > 1 ? 2 : 0), 3 * p[1] - 2, 3 * p[2] - 2};
+        unit /= 3;
     }
-    return unit * (inside > 0 ? inside : sqrt(square(outside)));
+    return unit * cubeDistance(p);
 }
 
 struct Folded {
@@ -97,14 +120,12 @@ Folded sierpinski(std::uint64_t depth)
     return {mesh, repeated(maps, depth)};
 }
 
-Folded dust(std::uint64_t depth)
+/// The cube's copies, a third as large, at those of its 27 places that are off its middle along so many axes or more.
+Folded thirds(std::uint64_t depth, int leastOff)
 {
     Mesh mesh;
-    std::vector<AffineMap> maps;
     for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-        mesh.vertices.push_back(corner);
-        maps.push_back({glm::dmat3(1.0 / 3.0), 2.0 / 3.0 * corner});
+        mesh.vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
     }
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
         const std::uint32_t u = 1u << (axis + 1) % 3;
@@ -114,7 +135,28 @@ Folded dust(std::uint64_t depth)
             mesh.faces.push_back({side, side + u + v, side + v});
         }
     }
+    std::vector<AffineMap> maps;
+    for (int i = 0; i < 27; ++i) {
+        const glm::dvec3 place(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (glm::dot(place, place) >= leastOff) {
+            maps.push_back({glm::dmat3(1.0 / 3.0), 2.0 / 3.0 * place});
+        }
+    }
     return {mesh, repeated(maps, depth)};
+}
+
+enum class Shape { Sierpinski, Dust, Menger };
+
+Folded folded(Shape shape, std::uint64_t depth)
+{
+    return shape == Shape::Sierpinski ? sierpinski(depth) : thirds(depth, shape == Shape::Dust ? 3 : 2);
+}
+
+Wide foldedDistance(Shape shape, const Vector &p, int depth)
+{
+    return shape == Shape::Sierpinski ? sierpinskiDistance(p, depth)
+        : shape == Shape::Dust        ? dustDistance(p, depth)
+                                      : mengerDistance(p, depth);
 }
 
 }
@@ -131,11 +173,14 @@ private Q_SLOTS:
 
 void TestFolds::deepFractalsAreAsFarAsTheirFolds_data()
 {
-    QTest::addColumn<bool>("isDust");
+    QTest::addColumn<Shape>("shape");
     QTest::addColumn<int>("depth");
-    for (const bool isDust : {false, true}) {
+    const std::pair<const char *, Shape> shapes[]{{"Sierpinski", Shape::Sierpinski},
+                                                  {"Cantor dust", Shape::Dust},
+                                                  {"Menger", Shape::Menger}};
+    for (const auto &[name, shape] : shapes) {
         for (const int depth : {1, 2, 5, 10, 20, 30, 40}) {
-            QTest::addRow("%s, depth %d", isDust ? "Cantor dust" : "Sierpinski", depth) << isDust << depth;
+            QTest::addRow("%s, depth %d", name, depth) << shape << depth;
         }
     }
 }
@@ -143,10 +188,10 @@ void TestFolds::deepFractalsAreAsFarAsTheirFolds_data()
 /// Uniform points, and such as are ever nearer to the surface.
 void TestFolds::deepFractalsAreAsFarAsTheirFolds()
 {
-    QFETCH(const bool, isDust);
+    QFETCH(const Shape, shape);
     QFETCH(const int, depth);
     std::mt19937_64 random(1);
-    const auto [mesh, fractal] = (isDust ? dust : sierpinski)(static_cast<std::uint64_t>(depth));
+    const auto [mesh, fractal] = folded(shape, static_cast<std::uint64_t>(depth));
     const auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
     const BoxBounds boxes(*graph, mesh);
     const auto collider = ExactCollider::create(*graph, boxes, mesh);
@@ -156,7 +201,7 @@ void TestFolds::deepFractalsAreAsFarAsTheirFolds()
             Hit hit;
             p = i % 10 == 0 ? randomPoint(random, 1.5) : hit.point + 0.1 * (p - hit.point);
             search->closest({p}, hit);
-            const Wide truth = isDust ? dustDistance(wide(p), depth) : sierpinskiDistance(wide(p), depth);
+            const Wide truth = foldedDistance(shape, wide(p), depth);
             // thirds are rounded, and so is each step down
             QVERIFY2(abs(Wide(hit.distance) - truth) <= Wide(4e-15 * (depth + 2)),
                      qPrintable(QStringLiteral("%1, but %2").arg(hit.distance).arg(static_cast<double>(truth))));

@@ -91,6 +91,7 @@ private Q_SLOTS:
     void sharedMapsBeyondTheLimitAreLeftOut();
     void veryManySetsAreLeftOut();
     void writtenCountsMultiply();
+    void aThousandMapsAThousandLevelsDeepAreCounted();
 };
 
 void TestCounts::appendixB_data()
@@ -280,6 +281,26 @@ void TestCounts::writtenCountsMultiply()
     QCOMPARE(written(fractal({"ab", "abc"}, {level(1), repeat(3, {repeat(100, {level(0)}), level(1)}), level(0)})),
              text(3 * boost::multiprecision::pow(boost::multiprecision::pow(cpp_int(2), 100) * 3, 3) * 2));
     QCOMPARE(written(fractal({"#a"}, {})), "1");
+}
+
+/// 10^3000 copies; where each level may be passed over, all shorter words as well.
+void TestCounts::aThousandMapsAThousandLevelsDeepAreCounted()
+{
+    naive::Fractal many;
+    many.sets.push_back({{}, false});
+    for (int i = 0; i < 1'000; ++i) {
+        many.maps.push_back(numbered(i));
+        many.sets[0].maps.push_back(i);
+    }
+    many.items = {repeat(1'000, {level(0)})};
+    const QString all = QLatin1Char('1') + QString(3'000, QLatin1Char('0'));
+    QCOMPARE(distinct(many), all);
+    const auto graph = FractalGraph::build(many.description(), Sphere{{0, 0, 0}, 1});
+    QCOMPARE(QString::fromStdString(instancesAsWritten(*graph).toString()), all);
+    QVERIFY2(graph->memoryUse() < 1'000'000, qPrintable(QString::number(graph->memoryUse())));
+    many.sets[0].mayPass = true;
+    const cpp_int thousand = 1'000;
+    QCOMPARE(distinct(many), text((boost::multiprecision::pow(thousand, 1'001) - 1) / 999));
 }
 
 }

@@ -94,14 +94,14 @@ void TestExtremes::radiiOfEverySize_data()
     }
 }
 
-/// Dropped on a sponge of size 2.
+/// Dropped on a sponge, where its edge has no holes.
 void TestExtremes::radiiOfEverySize()
 {
     QFETCH(const double, radius);
     Ground ground(QStringLiteral("menger"), 4);
     const Laws laws;
     for (const double e : {0.0, 0.7, 1.0}) {
-        BallState ball = ballAt({0.123, 2 + radius, 0.234}, radius, e, {0.1, 0, 0});
+        BallState ball = ballAt({-1.4, 2 + radius, -1.49}, radius, e, {0.1, 0, 0});
         unsigned contacts = 0;
         for (int step = 0; step < 240; ++step) {
             const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
@@ -111,7 +111,7 @@ void TestExtremes::radiiOfEverySize()
             const double in = 1 - ground.distance(ball.position) / radius;
             QVERIFY2(in <= 1e-3, qPrintable(QStringLiteral("step %1: %2").arg(step).arg(in)));
         }
-        QVERIFY(contacts > 0 || radius < 1e-2);
+        QVERIFY(contacts > 0);
     }
 }
 
