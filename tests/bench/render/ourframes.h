@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <expected>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "render/glresources.h"
@@ -38,8 +39,8 @@ public:
     void finish();
     void draw(const View &view);
 
-    /// What was drawn.
-    [[nodiscard]] Picture read() const { return m_renderer->read(); }
+    /// What was drawn, with balls where it was drawn without.
+    [[nodiscard]] Picture read(std::span<const BallSprite> balls = {}) const { return m_renderer->read(balls); }
     [[nodiscard]] DrawStatistics statistics() const { return m_renderer->statistics(); }
     [[nodiscard]] std::string description() const { return m_renderer->description(); }
 
