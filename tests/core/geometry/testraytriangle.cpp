@@ -122,11 +122,13 @@ void TestRayTriangle::whatIsMetIsMetThere()
     double worst = 0.0;
     for (int i = 0; i < 60'000; ++i) {
         const Triangle triangle = randomTriangle(random);
-        const auto aim = random() % 4;
         const double share = uniform(random, 0, 1);
+        const double past = uniform(random, -1, 1) * std::pow(10.0, uniform(random, -17, -13));
+        const glm::dvec3 side = share * triangle[0] + (1 - share) * triangle[1];
+        const auto aim = random() % 4;
         // anywhere, at a side, where rounding decides, or inside
         const glm::dvec3 direction = glm::normalize(aim == 0       ? randomPoint(random, 1.0)
-                                                        : aim == 1 ? share * triangle[0] + (1 - share) * triangle[1]
+                                                        : aim == 1 ? side + past * (triangle[2] - triangle[0])
                                                                    : pointOf(random, triangle));
         const auto met =
             truth::meeting<Wide>({wide(triangle[0]), wide(triangle[1]), wide(triangle[2])}, {0, 0, 0}, wide(direction));
