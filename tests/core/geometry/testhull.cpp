@@ -114,7 +114,7 @@ void TestHull::distancesAreThoseOfAllTriangles()
             const double rounding = 1e-14 * (1 + size);
             QVERIFY(found.least <= expected + rounding);
             QVERIFY(found.greatest >= expected - rounding);
-            QVERIFY2(found.greatest - found.least <= 1e-9 * (1 + size),
+            QVERIFY2(found.greatest - found.least <= 1e-12 * (1 + size),
                      qPrintable(QStringLiteral("%1 %2 %3").arg(found.least).arg(found.greatest).arg(expected)));
         }
     }

@@ -72,6 +72,11 @@ std::pair<Real, Real> exactCosSin(double degrees)
     // Whole degrees are reduced as an integer, of which a double may have 1,024 bits.
     const boost::multiprecision::cpp_int whole(std::trunc(degrees));
     const Real rest = Real(whole % 360) + Real(degrees - std::trunc(degrees));
+    const Real quarters = rest / 90;
+    if (quarters == trunc(quarters)) { // of which 100 digits leave something
+        const int quarter = (static_cast<int>(quarters) + 4) % 4;
+        return {quarter % 2 == 1 ? 0 : 1 - quarter, quarter % 2 == 0 ? 0 : 2 - quarter};
+    }
     const Real radians = rest * boost::math::constants::pi<Real>() / 180;
     return {cos(radians), sin(radians)};
 }
