@@ -31,7 +31,12 @@ struct Options {
         QStringLiteral("Also what the time step costs, on balls that are dropped: energy and where they land.")};
     QCommandLineOption rendering{
         QStringLiteral("rendering"),
-        QStringLiteral("Also what pictures cost, and how far off they are, by the pixel tolerance.")};
+        QStringLiteral(
+            "Also what pictures cost, and how far off they are, by the pixel tolerance; and where copies stand "
+            "on the screen by float, double and local frames.")};
+    QCommandLineOption exporting{
+        QStringLiteral("export"),
+        QStringLiteral("Also how far off the surface is in an OBJ file, and how large that is, by the digits.")};
     QCommandLineOption radius{QStringLiteral("radius"),
                               QStringLiteral("Of the ball that may collide (default: the least of the scene, or 2 % of "
                                              "the diagonal)."),
@@ -44,6 +49,7 @@ struct Wanted {
     ColliderTrial::Options colliders = {};
     bool withSteps = false;
     bool withFrames = false;
+    bool withDigits = false;
     bool isJson = false;
     /// Empty for none.
     QString page = {};
@@ -54,6 +60,7 @@ std::optional<Wanted> wantedOf(const QCommandLineParser &parser, const Options &
 {
     Wanted wanted{.withSteps = parser.isSet(options.timeStep),
                   .withFrames = parser.isSet(options.rendering),
+                  .withDigits = parser.isSet(options.exporting),
                   .isJson = parser.isSet(options.json),
                   .page = parser.value(options.html)};
     if (parser.isSet(options.html) && wanted.page.isEmpty()) {
@@ -101,19 +108,26 @@ std::expected<Measurement, std::string> measured(const Input &input, const QStri
         return std::unexpected(colliders.error());
     }
     measurement.colliders = std::move(*colliders);
-    if (wanted.withSteps) {
-        auto steps = tryTimeSteps(input.scene, *balls, {.ballRadius = wanted.colliders.ballRadius}, context);
-        if (!steps) {
-            return std::unexpected(steps.error());
+    std::string failure;
+    const auto take = [&](auto &into, auto trial) {
+        if (!trial) {
+            failure = trial.error();
+            return false;
         }
-        measurement.steps = std::move(*steps);
-    }
-    if (wanted.withFrames) {
-        auto frames = framesOf(input.scene, context);
-        if (!frames) {
-            return std::unexpected(frames.error());
-        }
-        measurement.frames = std::move(*frames);
+        into = std::move(*trial);
+        return true;
+    };
+    const Scene &scene = *input.scene;
+    const bool isDone =
+        (!wanted.withSteps
+         || take(measurement.steps,
+                 tryTimeSteps(input.scene, *balls, {.ballRadius = wanted.colliders.ballRadius}, context)))
+        && (!wanted.withFrames
+            || (take(measurement.frames, framesOf(input.scene, context))
+                && take(measurement.depths, tryDepths(scene, context))))
+        && (!wanted.withDigits || take(measurement.digits, tryDigits(scene, {}, context)));
+    if (!isDone) {
+        return std::unexpected(failure);
     }
     return measurement;
 }
@@ -140,8 +154,8 @@ int runMeasure(const QStringList &arguments)
         "and errors are the same in every run; times are the median of several rounds. Shares are in per cent, with "
         "what they are of all (95 % confidence) in brackets."));
     const Options options;
-    parser.addOptions({options.timeStep, options.rendering, options.json, options.html, options.radius, depthOption(),
-                       options.quiet});
+    parser.addOptions({options.timeStep, options.rendering, options.exporting, options.json, options.html,
+                       options.radius, depthOption(), options.quiet});
     const auto file = parseArguments(parser, "measure", arguments);
     if (!file) {
         return file.error();

@@ -3,6 +3,7 @@
 #include "measurejson.h"
 
 #include <array>
+#include <cmath>
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -128,6 +129,40 @@ QJsonObject json(const FrameReference &reference)
             {QStringLiteral("off_leftover"), reference.leftover.share}};
 }
 
+QJsonObject json(const DepthRow &row)
+{
+    const bool isThere = row.reason.empty();
+    // JSON has no infinity: what is not seen is null
+    const auto pixels = [&](double value) {
+        return isThere && std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+    };
+    return {{QStringLiteral("levels"), number(row.depth)},
+            {QStringLiteral("size_log10"), isThere ? QJsonValue(row.sizeLog10) : QJsonValue()},
+            {QStringLiteral("copies"), isThere ? number(row.copies) : QJsonValue()},
+            {QStringLiteral("px_float"), pixels(row.inFloat)},
+            {QStringLiteral("px_double"), pixels(row.inDouble)},
+            {QStringLiteral("px_local_frames"), pixels(row.inFrames)},
+            {QStringLiteral("reason"), isThere ? QJsonValue() : QJsonValue(text(row.reason))}};
+}
+
+/// As a string of digits, since JSON's numbers end at 2^53.
+QJsonValue digitsOf(const std::optional<Count> &count)
+{
+    return count ? QJsonValue(text(count->toString())) : QJsonValue();
+}
+
+QJsonObject json(const DigitRow &row)
+{
+    QJsonObject object{{QStringLiteral("digits"), row.digits ? QJsonValue(*row.digits) : QJsonValue()},
+                       {QStringLiteral("worst"), row.worst},
+                       {QStringLiteral("rms"), row.rms},
+                       {QStringLiteral("collapsed"), number(row.collapsed)},
+                       {QStringLiteral("flat"), number(row.flat)},
+                       {QStringLiteral("bytes"), digitsOf(row.bytes)}};
+    put(object, QStringLiteral("ns_median"), QStringLiteral("ns_quartiles"), row.nanoseconds, true);
+    return object;
+}
+
 template<typename Things>
 QJsonArray jsonOfAll(const Things &things)
 {
@@ -149,25 +184,43 @@ QJsonObject json(const FrameTrial &trial)
             {QStringLiteral("rows"), jsonOfAll(trial.rows)}};
 }
 
+QJsonObject json(const DepthTrial &trial)
+{
+    return {{QStringLiteral("reason"), trial.reason.empty() ? QJsonValue() : QJsonValue(text(trial.reason))},
+            {QStringLiteral("rows"), jsonOfAll(trial.rows)}};
+}
+
+QJsonObject json(const DigitTrial &trial)
+{
+    return {{QStringLiteral("faces"), number(trial.faces)},
+            {QStringLiteral("vertices"), number(trial.vertices)},
+            {QStringLiteral("faces_in_all"), digitsOf(trial.facesInAll)},
+            {QStringLiteral("is_whole"), trial.isWhole},
+            {QStringLiteral("diagonal"), trial.diagonal},
+            {QStringLiteral("rows"), jsonOfAll(trial.rows)}};
+}
+
 }
 
 QByteArray jsonOf(const Measurement &measurement)
 {
     const ColliderTrial &trial = measurement.colliders;
     QJsonObject object{
-        {QStringLiteral("file"), text(measurement.source)},
-        // a string of digits, since JSON's numbers end at 2^53
-        {QStringLiteral("faces"), trial.faces ? QJsonValue(text(trial.faces->toString())) : QJsonValue()},
-        {QStringLiteral("diagonal"), trial.diagonal},
-        {QStringLiteral("ball_radius"), trial.ballRadius},
-        {QStringLiteral("sets"), jsonOfAll(trial.sets)},
-        {QStringLiteral("colliders"), jsonOfAll(trial.rows)},
+        {QStringLiteral("file"), text(measurement.source)}, {QStringLiteral("faces"), digitsOf(trial.faces)},
+        {QStringLiteral("diagonal"), trial.diagonal},       {QStringLiteral("ball_radius"), trial.ballRadius},
+        {QStringLiteral("sets"), jsonOfAll(trial.sets)},    {QStringLiteral("colliders"), jsonOfAll(trial.rows)},
     };
     if (measurement.steps) {
         object[QStringLiteral("timestep")] = jsonOfAll(measurement.steps->rows);
     }
     if (measurement.frames) {
         object[QStringLiteral("rendering")] = json(*measurement.frames);
+    }
+    if (measurement.depths) {
+        object[QStringLiteral("depths")] = json(*measurement.depths);
+    }
+    if (measurement.digits) {
+        object[QStringLiteral("export")] = json(*measurement.digits);
     }
     return QJsonDocument(object).toJson();
 }

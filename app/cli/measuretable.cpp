@@ -87,6 +87,34 @@ std::string tableOfFrames(const FrameTrial &trial)
     return text;
 }
 
+std::string tableOfDepths(const DepthTrial &trial)
+{
+    constexpr std::string_view depths = "  {:<9} {:>9} {:>9} {:>13} {:>13} {:>13}\n";
+    std::string text = std::format("\nnumbers at depth: {}\n", wordsOf(trial));
+    if (trial.rows.empty()) {
+        return text;
+    }
+    text += std::format(depths, "levels", "size", "copies", "float", "double", "local frames");
+    for (const DepthRow &row : trial.rows) {
+        text += !row.reason.empty() ? std::format("  {:<9} {}\n", row.depth, row.reason)
+                                    : std::format(depths, row.depth, sizeText(row), row.copies, pixelsText(row.inFloat),
+                                                  pixelsText(row.inDouble), pixelsText(row.inFrames));
+    }
+    return text;
+}
+
+std::string tableOfDigits(const DigitTrial &trial)
+{
+    constexpr std::string_view digits = "  {:<9} {:>9} {:>9} {:>15} {:>15} {:>17} {:>9}\n";
+    std::string text = std::format("\nexport: {}\n", wordsOf(trial))
+        + std::format(digits, "numbers", "worst", "RMS", "faces collapsed", "faces flat", "bytes in all", "ns a face");
+    for (const DigitRow &row : trial.rows) {
+        text += std::format(digits, nameOf(row), figure(row.worst), figure(row.rms), grouped(row.collapsed),
+                            grouped(row.flat), countText(row.bytes), figure(row.nanoseconds.median));
+    }
+    return text;
+}
+
 }
 
 std::string tableOf(const Measurement &measurement)
@@ -99,6 +127,8 @@ std::string tableOf(const Measurement &measurement)
     text += tableOfBuilding(trial);
     text += measurement.steps ? tableOfSteps(*measurement.steps) : std::string();
     text += measurement.frames ? tableOfFrames(*measurement.frames) : std::string();
+    text += measurement.depths ? tableOfDepths(*measurement.depths) : std::string();
+    text += measurement.digits ? tableOfDigits(*measurement.digits) : std::string();
     return text;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 
 #include "collidertrial.h"
+#include "depthtrial.h"
+#include "digittrial.h"
 #include "frametrial.h"
 #include "steptrial.h"
 
@@ -19,6 +21,9 @@ struct Measurement {
     /// Where it is asked for.
     std::optional<StepTrial> steps = {};
     std::optional<FrameTrial> frames = {};
+    /// Beside frames.
+    std::optional<DepthTrial> depths = {};
+    std::optional<DigitTrial> digits = {};
 };
 
 }

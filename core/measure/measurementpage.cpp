@@ -40,6 +40,12 @@ std::string cell(const Share &share)
                                                       words.substr(0, bracket), words.substr(bracket + 1));
 }
 
+std::string cell(const Spread &spread, double unit)
+{
+    return std::format("<td>{} <span class=\"range\">({}–{})</span></td>", figure(unit * spread.median),
+                       figure(unit * spread.lowerQuartile), figure(unit * spread.upperQuartile));
+}
+
 std::string tableHead(std::initializer_list<const char *> heads)
 {
     std::string text = "<div class=\"table\"><table>\n<thead><tr>";
@@ -61,13 +67,10 @@ std::string rowOf(const ColliderRow &row)
                            escaped(row.reason));
     }
     const Survey &survey = row.survey;
-    return std::format(
-        "<tr>{}{}{}{}{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(grouped(survey.asked)),
-        cell(figure(survey.faceTestsMean)), cell(figure(survey.faceTestsP99)), cell(figure(survey.nodeVisitsMean)),
-        std::format("<td>{} <span class=\"range\">({}–{})</span></td>", figure(1e-3 * row.nanoseconds.median),
-                    figure(1e-3 * row.nanoseconds.lowerQuartile), figure(1e-3 * row.nanoseconds.upperQuartile)),
-        cell(survey.wrong[0]), cell(survey.wrong[1]), cell(survey.wrong[2]), cell(figure(survey.worst)),
-        cell(survey.missed));
+    return std::format("<tr>{}{}{}{}{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(grouped(survey.asked)),
+                       cell(figure(survey.faceTestsMean)), cell(figure(survey.faceTestsP99)),
+                       cell(figure(survey.nodeVisitsMean)), cell(row.nanoseconds, 1e-3), cell(survey.wrong[0]),
+                       cell(survey.wrong[1]), cell(survey.wrong[2]), cell(figure(survey.worst)), cell(survey.missed));
 }
 
 /// Beside one another.
@@ -121,6 +124,73 @@ std::string sectionOf(const StepTrial &trial)
     return text + tableEnd();
 }
 
+std::string sectionOf(const FrameTrial &trial, const FrameReference &reference)
+{
+    std::string text = std::format("<h3>{}</h3>\n<p>{}.</p>\n{}", nameOf(reference.place), escaped(wordsOf(reference)),
+                                   drawn(plotsOf(trial, reference.place)));
+    text += tableHead({"tolerance", "copies", "faces", "states", "ms", "a second", "bytes", "RMS, of 255",
+                       "pixels off, %", "RMS alone", "pixels off alone, %"});
+    for (const FrameRow &row : trial.rows) {
+        if (row.place != reference.place) {
+            continue;
+        }
+        text += !row.reason.empty()
+            ? std::format("<tr>{}<td class=\"reason\" colspan=\"10\">{}</td></tr>\n", cell(nameOf(row)),
+                          escaped(row.reason))
+            : std::format("<tr>{}{}{}{}{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(grouped(row.cost.copies)),
+                          cell(grouped(row.cost.faces)), cell(grouped(row.cost.statesVisited)),
+                          cell(row.milliseconds, 1.0), cell(figure(1e3 / row.milliseconds.median)),
+                          cell(grouped(row.cost.bytes)), cell(figure(row.moving.rms)),
+                          cell(figure(100.0 * row.moving.share)), cell(figure(row.alone.rms)),
+                          cell(figure(100.0 * row.alone.share)));
+    }
+    return text + tableEnd();
+}
+
+std::string sectionOf(const FrameTrial &trial)
+{
+    std::string text = std::format("<h2>rendering</h2>\n<p>{}. One sample a pixel is what the window draws while the "
+                                   "camera moves; alone is what the tolerance does to a picture of many samples. "
+                                   "Pixels are off by more than {} of 255.</p>\n",
+                                   escaped(wordsOf(trial)), FrameError::plain);
+    for (const FrameReference &reference : trial.references) {
+        text += sectionOf(trial, reference);
+    }
+    return text;
+}
+
+/// Nothing is plotted: it costs the same whatever the depth.
+std::string sectionOf(const DepthTrial &trial)
+{
+    std::string text = std::format("<h2>numbers at depth</h2>\n<p>{}.</p>\n", escaped(wordsOf(trial)));
+    if (trial.rows.empty()) {
+        return text;
+    }
+    text += tableHead({"levels", "size", "copies in view", "float, px", "double, px", "local frames, px"});
+    for (const DepthRow &row : trial.rows) {
+        const std::string levels = cell(std::to_string(row.depth));
+        text += !row.reason.empty()
+            ? std::format("<tr>{}<td class=\"reason\" colspan=\"5\">{}</td></tr>\n", levels, escaped(row.reason))
+            : std::format("<tr>{}{}{}{}{}{}</tr>\n", levels, cell(sizeText(row)), cell(grouped(row.copies)),
+                          cell(pixelsText(row.inFloat)), cell(pixelsText(row.inDouble)),
+                          cell(pixelsText(row.inFrames)));
+    }
+    return text + tableEnd();
+}
+
+std::string sectionOf(const DigitTrial &trial)
+{
+    std::string text = std::format("<h2>export</h2>\n<p>{}.</p>\n{}", escaped(wordsOf(trial)), drawn(plotsOf(trial)));
+    text +=
+        tableHead({"numbers", "largest error", "RMS", "faces collapsed", "faces flat", "bytes in all", "ns a face"});
+    for (const DigitRow &row : trial.rows) {
+        text += std::format("<tr>{}{}{}{}{}{}{}</tr>\n", cell(nameOf(row)), cell(figure(row.worst)),
+                            cell(figure(row.rms)), cell(grouped(row.collapsed)), cell(grouped(row.flat)),
+                            cell(countText(row.bytes)), cell(row.nanoseconds, 1.0));
+    }
+    return text + tableEnd();
+}
+
 }
 
 std::string pageOf(const Measurement &measurement)
@@ -142,6 +212,9 @@ std::string pageOf(const Measurement &measurement)
     }
     text += buildingOf(trial);
     text += measurement.steps ? sectionOf(*measurement.steps) : std::string();
+    text += measurement.frames ? sectionOf(*measurement.frames) : std::string();
+    text += measurement.depths ? sectionOf(*measurement.depths) : std::string();
+    text += measurement.digits ? sectionOf(*measurement.digits) : std::string();
     return text + "</body>\n</html>\n";
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "trialplots.h"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -49,6 +50,22 @@ TrialPlot plotOf(const StepTrial &trial, double StepRow::*error, const char *err
     return plot;
 }
 
+TrialPlot plotOf(const FrameTrial &trial, FramePlace place, bool isByTime)
+{
+    TrialPlot plot{isByTime ? "milliseconds a picture" : "faces a picture", "RMS error by the tolerance alone, of 255"};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const FrameRow &row = trial.rows[i];
+        if (row.place == place && row.reason.empty()) {
+            add(plot, i,
+                {.label = nameOf(row),
+                 .cost = isByTime ? row.milliseconds.median : static_cast<double>(row.cost.faces),
+                 .error = row.alone.rms,
+                 .spread = isByTime ? std::optional(row.milliseconds) : std::nullopt});
+        }
+    }
+    return plot;
+}
+
 }
 
 std::vector<TrialPlot> plotsOf(const ColliderTrial &trial, QuerySet set)
@@ -60,6 +77,30 @@ std::vector<TrialPlot> plotsOf(const StepTrial &trial)
 {
     return {plotOf(trial, &StepRow::energyWorst, "energy off by, at worst"),
             plotOf(trial, &StepRow::landingWorst, "landing off by, at worst, in radii")};
+}
+
+std::vector<TrialPlot> plotsOf(const DigitTrial &trial)
+{
+    constexpr const char *error = "largest error, in parts of the diagonal";
+    TrialPlot byBytes{"bytes a face", error};
+    TrialPlot byTime{"nanoseconds a face", error};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const DigitRow &row = trial.rows[i];
+        PlotPoint point{.label = nameOf(row), .group = row.digits ? 0 : 2, .error = row.worst};
+        if (row.bytes && trial.facesInAll) {
+            point.cost = std::pow(10.0, row.bytes->log10() - trial.facesInAll->log10());
+            add(byBytes, i, point);
+        }
+        point.cost = row.nanoseconds.median;
+        point.spread = row.nanoseconds;
+        add(byTime, i, std::move(point));
+    }
+    return {std::move(byBytes), std::move(byTime)};
+}
+
+std::vector<TrialPlot> plotsOf(const FrameTrial &trial, FramePlace place)
+{
+    return {plotOf(trial, place, true), plotOf(trial, place, false)};
 }
 
 }

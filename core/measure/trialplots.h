@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "collidertrial.h"
+#include "digittrial.h"
 #include "errorplot.h"
+#include "frametrial.h"
 #include "steptrial.h"
 
 namespace romanesco {
@@ -25,5 +27,9 @@ struct TrialPlot {
 [[nodiscard]] std::vector<TrialPlot> plotsOf(const ColliderTrial &trial, QuerySet set);
 /// By time: of the energy, and of where balls land.
 [[nodiscard]] std::vector<TrialPlot> plotsOf(const StepTrial &trial);
+/// From a place: what the tolerance alone does, by time, and by faces drawn.
+[[nodiscard]] std::vector<TrialPlot> plotsOf(const FrameTrial &trial, FramePlace place);
+/// The error of vertices by bytes, where those can be counted, and by time.
+[[nodiscard]] std::vector<TrialPlot> plotsOf(const DigitTrial &trial);
 
 }

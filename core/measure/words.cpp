@@ -72,6 +72,25 @@ std::string facesText(const std::optional<Count> &faces)
     return std::format("{} faces", grouped(faces->toInteger().value()));
 }
 
+std::string sizeText(const DepthRow &row)
+{
+    return row.sizeLog10 > -300.0 ? figure(std::pow(10.0, row.sizeLog10)) : std::format("1e{:.0f}", row.sizeLog10);
+}
+
+std::string pixelsText(double pixels)
+{
+    return std::isfinite(pixels) ? figure(pixels) : "not seen";
+}
+
+std::string countText(const std::optional<Count> &count)
+{
+    if (!count) {
+        return "–";
+    }
+    const std::optional<std::uint64_t> number = count->toInteger();
+    return number ? grouped(*number) : std::format("10^{:.1f}", count->log10());
+}
+
 std::string percent(const Share &share)
 {
     if (share.of == 0) {
@@ -117,6 +136,23 @@ std::string wordsOf(const FrameReference &reference)
                            ? "as the scene is looked at first"
                            : "a sixteenth of the way off what is seen in the middle of that",
                        reference.samples, briefly(reference.tolerance), figure(reference.leftover.rms));
+}
+
+std::string wordsOf(const DepthTrial &trial)
+{
+    return trial.reason.empty()
+        ? std::format("how far from its place a copy stands on a screen of {} x {}, in pixels, beside 700 digits",
+                      DepthTrial::width, DepthTrial::height)
+        : trial.reason;
+}
+
+std::string wordsOf(const DigitTrial &trial)
+{
+    const std::string copies = trial.isWhole
+        ? std::format("all {} faces written as OBJ and read back", grouped(trial.faces))
+        : std::format("{} faces of copies drawn at random, of {}, written as OBJ and read back", grouped(trial.faces),
+                      facesText(trial.facesInAll));
+    return std::format("{}; vertices are off in parts of the diagonal", copies);
 }
 
 }

@@ -106,7 +106,8 @@ std::expected<FrameCost, std::string> SceneFrames::draw(const FrameRequest &requ
     glFinish();
     const auto begin = std::chrono::steady_clock::now();
     m_renderer->begin(view);
-    while (!m_renderer->step(std::chrono::milliseconds(100))) {
+    for (bool isFinished = false; !isFinished; isFinished = m_renderer->step(std::chrono::milliseconds(100))) {
+        // before each picture too, of which a trial has many
         if (stop.stop_requested()) {
             return std::unexpected("cancelled");
         }

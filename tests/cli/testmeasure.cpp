@@ -80,6 +80,9 @@ private Q_SLOTS:
     void pagesAreXmlAndNeedNothingElse();
     void pagesCanGoToStdout();
     void timeStepsAreMeasuredWhereAskedFor();
+    void picturesAreMeasuredWhereAskedFor();
+    void withoutADriverThatIsSaid();
+    void exportsAreMeasuredWhereAskedFor();
     void theRadiusIsTaken();
     void withoutASurfaceItSaysSo_data();
     void withoutASurfaceItSaysSo();
@@ -275,6 +278,93 @@ void TestMeasure::timeStepsAreMeasuredWhereAskedFor()
         xml.readNext();
     }
     QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+}
+
+void TestMeasure::picturesAreMeasuredWhereAskedFor()
+{
+    QVERIFY(!jsonOf(measure({path("floor.obj"), "--json"})).contains(QLatin1String("rendering")));
+    const QStringList arguments{examples + "sierpinski.fdo", "--depth", "3", "--rendering"};
+    const Outcome outcome = measure(arguments + QStringList{"--json", "--html", path("pictures.html")});
+    QVERIFY2(outcome.status == 0, outcome.err);
+    const QJsonObject rendering = jsonOf(outcome)[QLatin1String("rendering")].toObject();
+    QVERIFY(rendering[QLatin1String("device")].toString().startsWith(QStringLiteral("OpenGL 4.5")));
+    QCOMPARE(rendering[QLatin1String("references")].toArray().size(), 2);
+    const QJsonArray rows = rendering[QLatin1String("rows")].toArray();
+    QCOMPARE(rows.size(), 2 * 8);
+    for (const QJsonValue &value : rows) {
+        const QJsonObject row = value.toObject();
+        QCOMPARE(row.size(), 13);
+        QVERIFY(row[QLatin1String("reason")].isNull());
+        QCOMPARE(number(row, "faces"), 4 * number(row, "copies"));
+        QVERIFY(number(row, "ms_median") > 0.0 && number(row, "rms") > 0.0 && number(row, "off") < 1.0);
+        QCOMPARE(number(row, "tolerance") == 0.0 && number(row, "rms_alone") > 0.0, false);
+    }
+    const QJsonArray depths = jsonOf(outcome)[QLatin1String("depths")].toObject()[QLatin1String("rows")].toArray();
+    QCOMPARE(depths.last()[QLatin1String("levels")].toInt(), 1000);
+    QVERIFY(number(depths.last().toObject(), "px_local_frames") < 2e-3);
+    QVERIFY(depths.last()[QLatin1String("px_float")].isNull()); // it is not seen at all
+
+    const QByteArray page = bytesOf(path("pictures.html"));
+    QCOMPARE(page.count("<svg "), 2 * 3 + 2 * 2);
+    QVERIFY(page.contains("<h2>rendering</h2>") && page.contains("<h2>numbers at depth</h2>"));
+    QXmlStreamReader xml(page);
+    while (!xml.atEnd()) {
+        xml.readNext();
+    }
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    const QByteArray table = measure(arguments).out;
+    for (const char *words : {"\nrendering, view: ", "\nrendering, near: ", "\n  0.25 px ",
+                              "\nnumbers at depth: ", "\n  1000 ", " not seen "}) {
+        QVERIFY2(table.contains(words), words);
+    }
+}
+
+/// The rest is measured all the same.
+void TestMeasure::withoutADriverThatIsSaid()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("__EGL_VENDOR_LIBRARY_FILENAMES"), QStringLiteral("/nowhere.json"));
+    const Outcome outcome = run({"measure", path("floor.obj"), "--rendering", "--json"}, {}, environment);
+    QVERIFY2(outcome.status == 0, outcome.err);
+    const QJsonObject measured = jsonOf(outcome);
+    const QJsonObject rendering = measured[QLatin1String("rendering")].toObject();
+    QVERIFY(rendering[QLatin1String("reason")].toString().contains(QStringLiteral("OpenGL 4.5")));
+    QVERIFY(rendering[QLatin1String("rows")].toArray().isEmpty());
+    QCOMPARE(measured[QLatin1String("depths")][QLatin1String("reason")].toString(),
+             QStringLiteral("there is no fractal to go down"));
+    QCOMPARE(rowsOf(measured, "exact").size(), 3);
+}
+
+/// Bytes are those of the file that `export` writes, but for what it says of itself.
+void TestMeasure::exportsAreMeasuredWhereAskedFor()
+{
+    const QStringList file{examples + "tree.fdo", "--depth", "3"};
+    const Outcome outcome = measure(file + QStringList{"--export", "--json", "--html", path("digits.html")});
+    QVERIFY2(outcome.status == 0, outcome.err);
+    const QJsonObject measured = jsonOf(outcome)[QLatin1String("export")].toObject();
+    QVERIFY(measured[QLatin1String("is_whole")].toBool());
+    QCOMPARE(measured[QLatin1String("faces_in_all")].toString(), jsonOf(outcome)[QLatin1String("faces")].toString());
+    const QJsonArray rows = measured[QLatin1String("rows")].toArray();
+    QCOMPARE(rows.size(), 16);
+    const auto sizeWithoutComment = [&](const QStringList &options) {
+        const Outcome written = run(QStringList{"export"} + file + QStringList{"-o", path("tree.obj")} + options);
+        const QByteArray text = bytesOf(path("tree.obj"));
+        return written.status == 0 ? text.size() - text.indexOf("\nv ") : qsizetype(0);
+    };
+    for (const int digits : {3, 6, 17}) {
+        const QJsonObject row = rows[digits - 3].toObject();
+        QCOMPARE(row[QLatin1String("digits")].toInt(), digits);
+        const qsizetype written = sizeWithoutComment({"--digits", QString::number(digits)});
+        const qsizetype told = row[QLatin1String("bytes")].toString().toLongLong();
+        QVERIFY2(told >= written && told < written + 500, qPrintable(QStringLiteral("%1, %2").arg(told).arg(written)));
+        QCOMPARE(number(row, "worst") < 1e-12, digits == 17);
+    }
+    QVERIFY(rows.last()[QLatin1String("digits")].isNull());
+    const QByteArray page = bytesOf(path("digits.html"));
+    QCOMPARE(page.count("<svg "), 2 * 3 + 2);
+    QVERIFY(page.contains("<h2>export</h2>"));
+    const QByteArray table = measure(file + QStringList{"--export"}).out;
+    QVERIFY(table.contains("\nexport: all ") && table.contains("\n  3 digits ") && table.contains("\n  shortest "));
 }
 
 void TestMeasure::theRadiusIsTaken()
