@@ -52,8 +52,8 @@ struct EvaluationModel {
     [[nodiscard]] std::uint64_t fileBytes() const;
 };
 
-/// Those of figure 16. Makes the two ordinary meshes, as OBJ files in a folder, and looks that they are what they are to be, with
-/// the shapes of the others; ends the program where they are not.
+/// Those of figure 16. Makes the two ordinary meshes, as OBJ files in a folder, and looks that they are what they are to
+/// be, with the shapes of the others; ends the program where they are not.
 [[nodiscard]] std::vector<EvaluationModel> evaluationModels(const std::filesystem::path &folder);
 
 }

@@ -20,36 +20,6 @@ std::string kilobytes(std::size_t bytes)
     return figure(static_cast<double>(bytes) / 1e3);
 }
 
-}
-
-std::string introduction(const std::string &machine)
-{
-    return std::format(R"(# The dissertation's evaluation, once more
-
-Its chapter 5 says that fractals load in a fraction of a second, take a kilobyte, and are collided with at a cost that is
-exponentially less *and fully accurate* (figures 17 and 18), and shows a ball that shrinks on one of them (figures 19 and 20).
-Here all of that is measured again, with what was missing: how far off each answer is. Written by `bench_evaluation`, all in
-one run, on
-
-    {}
-
-which draws in software; no graphics card was at hand. The command:
-
-```
-packaging/devroot packaging/build bench build/bench/tests/bench/evaluation/bench_evaluation --pictures docs >docs/evaluation.md
-```
-
-Counts and errors are the same in every run. Times are medians, with the quartiles in brackets; the machine had other work as
-well.
-
-## The models
-
-| mesh | | faces as written | b, t, d | of them distinct |
-|---|---|---|---|---|
-)",
-                       machine);
-}
-
 std::string modelsTable(const std::vector<Evaluated> &evaluated)
 {
     std::string text;
@@ -74,6 +44,36 @@ double timesLonger(const Evaluated &ordinary, const Evaluated &fractal)
 {
     const auto seen = [](const Loading &loading) { return loading.load.median + loading.picture.median; };
     return seen(ordinary.loading) / seen(fractal.loading);
+}
+
+}
+
+std::string introduction(const std::string &machine)
+{
+    return std::format(R"(# The dissertation's evaluation, once more
+
+Its chapter 5 says that fractals load in a fraction of a second, take a kilobyte, and are collided with at a cost that is
+exponentially less *and fully accurate* (figures 17 and 18), and shows a ball that shrinks on one of them (figures 19
+and 20). Here all of that is measured again, with what was missing: how far off each answer is. Written by
+`bench_evaluation`, all in one run, on
+
+    {}
+
+which draws in software; no graphics card was at hand. The command:
+
+```
+packaging/devroot packaging/build bench build/bench/tests/bench/evaluation/bench_evaluation --pictures docs >docs/evaluation.md
+```
+
+Counts and errors are the same in every run. Times are medians, with the quartiles in brackets; the machine had other work as
+well.
+
+## The models
+
+| mesh | | faces as written | b, t, d | of them distinct |
+|---|---|---|---|---|
+)",
+                       machine);
 }
 
 std::string loadingSection(const std::vector<Evaluated> &evaluated)

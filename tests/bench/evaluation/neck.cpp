@@ -108,22 +108,21 @@ double longestSide(const Box &box)
     return std::max({box.size().x, box.size().y, box.size().z});
 }
 
-}
-
-Neck widestWayDown(const Collider &exact, const glm::dvec3 &from, double lowest, double highest, double margin)
+template<typename IsEnd>
+Neck widestWay(const Collider &exact, const Ways &ways, IsEnd isEnd)
 {
     const auto search = exact.search();
-    Box box = around(from, {from.x, lowest, from.z}, margin);
-    glm::dvec3 start = from;
+    Box box = around(ways.from, ways.to, ways.margin);
+    glm::dvec3 start = ways.from;
     std::optional<glm::dvec3> end;
     Neck neck;
     int along = pointsAlong;
-    for (double spacing = margin; spacing > 1e-3 * margin; along = finerPointsAlong) {
-        box.greatest.y = std::min(box.greatest.y, highest);
+    for (double spacing = ways.margin; spacing > 1e-3 * ways.margin; along = finerPointsAlong) {
+        box.greatest.y = std::min(box.greatest.y, ways.highest);
         spacing = longestSide(box) / along;
         const Grid grid(*search, box, spacing);
-        const std::vector<std::size_t> way = grid.widest(
-            grid.at(start), [&](std::size_t i) { return end ? i == grid.at(*end) : grid.place(i).y <= lowest; });
+        const std::vector<std::size_t> way =
+            grid.widest(grid.at(start), [&](std::size_t i) { return end ? i == grid.at(*end) : isEnd(grid, i); });
         // nowhere is a way farther from a point of the grid than half a diagonal of a cell
         if (!end) {
             neck.missed = 0.5 * std::numbers::sqrt3 * spacing;
@@ -150,6 +149,18 @@ Neck widestWayDown(const Collider &exact, const glm::dvec3 &from, double lowest,
         box = around(neck.centre, neck.centre, 4.0 * spacing);
     }
     return neck;
+}
+
+}
+
+Neck widestWayTo(const Collider &exact, const Ways &ways)
+{
+    return widestWay(exact, ways, [&](const Grid &grid, std::size_t i) { return i == grid.at(ways.to); });
+}
+
+Neck widestWayDown(const Collider &exact, const Ways &ways)
+{
+    return widestWay(exact, ways, [&](const Grid &grid, std::size_t i) { return grid.place(i).y <= ways.to.y; });
 }
 
 }

@@ -8,7 +8,7 @@
 
 namespace romanesco::bench {
 
-/// The narrowest part of the widest way down from a point.
+/// The narrowest part of the widest way between places.
 struct Neck {
     /// Of the largest ball that gets through on the way that was found; a wider way may be missed by as much as `missed`.
     double radius = 0.0;
@@ -16,10 +16,17 @@ struct Neck {
     glm::dvec3 centre{0.0};
 };
 
-/// Looks for ways to anything at a height or lower that stay below another height, and within a margin round the point
-/// and what is straight below it. On a grid, which becomes finer where the way is narrowest, down to a thousandth of the
-/// margin. Cost: some hundred thousand queries.
-[[nodiscard]] Neck widestWayDown(const Collider &exact, const glm::dvec3 &from, double lowest, double highest,
-                                 double margin);
+/// Where ways lead that never come above a height: within a margin round the box of both points.
+struct Ways {
+    glm::dvec3 from{0.0};
+    glm::dvec3 to{0.0};
+    double highest = 0.0;
+    double margin = 0.0;
+};
+
+/// The ball's centre goes from one point to the other, or to anything that is as low. On a grid, which becomes finer where
+/// the way is narrowest, down to a thousandth of the margin. Cost: some hundred thousand queries.
+[[nodiscard]] Neck widestWayTo(const Collider &exact, const Ways &ways);
+[[nodiscard]] Neck widestWayDown(const Collider &exact, const Ways &ways);
 
 }

@@ -17,15 +17,13 @@ constexpr glm::dvec3 picturedAt{-0.737, 1.512, 1.140};
 constexpr glm::dvec3 thrownFrom{-0.3, 0.8, 0.6};
 constexpr double speedInRadii = 4.0;
 
-/// Of a ball that falls from where it rests.
-Neck neckBelow(const ShrinkingGround &ground, const Ball &resting, const Shrinking &shrinking)
+/// For a ball that falls from where it rests.
+Ways waysFrom(const Ball &resting, const Ball &fallen)
 {
-    if (!shrinking.fallen) {
-        return {};
-    }
-    const double highest = resting.position.y + 0.01 * resting.radius;
-    return widestWayDown(*ground.exact.collider, resting.position, shrinking.fallen->position.y, highest,
-                         2.0 * resting.radius);
+    return {.from = resting.position,
+            .to = fallen.position,
+            .highest = resting.position.y + 0.01 * resting.radius,
+            .margin = 1.5 * resting.radius};
 }
 
 }
@@ -55,7 +53,10 @@ ShrinkingTrial shrinkingTrial(const ShrinkingGround &ground)
         }
     }
     for (std::size_t i = 0; i < trial.resting.size(); ++i) {
-        trial.necks.push_back(neckBelow(ground, trial.resting[i], trial.shrinking[ofExact][i]));
+        const std::optional<Ball> &fallen = trial.shrinking[ofExact][i].fallen;
+        const Collider &exact = *ground.exact.collider;
+        trial.gaps.push_back(fallen ? widestWayTo(exact, waysFrom(trial.resting[i], *fallen)) : Neck());
+        trial.waysDown.push_back(fallen ? widestWayDown(exact, waysFrom(trial.resting[i], *fallen)) : Neck());
     }
     return trial;
 }
@@ -65,10 +66,7 @@ PicturedBall picturedBall(const ShrinkingGround &ground, const ShrinkingTrial &t
     const auto nearest = std::ranges::min_element(
         trial.resting, {}, [](const Ball &ball) { return glm::distance(ball.position, picturedAt); });
     const auto pictured = static_cast<std::size_t>(nearest - trial.resting.begin());
-    PicturedBall made{.resting = trial.resting[pictured],
-                      .neck = trial.necks[pictured],
-                      .contacts = {},
-                      .shrinking = {}};
+    PicturedBall made{.resting = trial.resting[pictured], .gap = trial.gaps[pictured], .contacts = {}, .shrinking = {}};
     Ball thrown = made.resting;
     thrown.position += thrown.radius * thrownFrom;
     thrown.velocity = -speedInRadii * thrown.radius * thrownFrom / glm::length(thrownFrom);

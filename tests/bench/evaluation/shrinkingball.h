@@ -31,9 +31,10 @@ struct ShrinkingTrial {
     /// Where balls rest, and what becomes of them there, by manner, beside them.
     std::vector<Ball> resting;
     std::array<std::vector<Shrinking>, 4> shrinking;
-    /// Beside them: how wide the way is as far down as the ball of the exact collider, by the dissertation's steps, falls; 0
-    /// where it does not.
-    std::vector<Neck> necks;
+    /// Beside them, of what the ball of the exact collider does by the dissertation's steps: the gap that it falls through,
+    /// the widest way to where it has fallen; and the widest of all ways as far down. 0 where it does not fall.
+    std::vector<Neck> gaps;
+    std::vector<Neck> waysDown;
 };
 
 /// Costs some minutes. The same each time.
@@ -42,7 +43,7 @@ struct ShrinkingTrial {
 /// One ball of all that, as it is seen in figure 19: it is thrown at the place where it rests, settles and shrinks.
 struct PicturedBall {
     Ball resting;
-    Neck neck;
+    Neck gap;
     /// Exact, greedy and octree, by the dissertation's steps.
     std::array<FirstContact, 3> contacts;
     std::array<Shrinking, 3> shrinking;

@@ -53,17 +53,17 @@ std::string placeRow(const std::string &name, const ShrinkingTrial &trial, const
         const auto &[rest, held, fallen] = all[i];
         rests.count += rest ? 1 : 0;
         fullSize += !rest && held ? 1 : 0;
-        const Neck &neck = trial.necks[i];
-        if (neck.radius > 0.0 && held) {
+        const Neck &wayDown = trial.waysDown[i];
+        if (wayDown.radius > 0.0 && held) {
             tooLarge.of += 1;
-            tooLarge.count += held->radius > neck.radius + neck.missed ? 1 : 0;
-            shares.push_back(held->radius / neck.radius);
+            tooLarge.count += held->radius > wayDown.radius + wayDown.missed ? 1 : 0;
+            shares.push_back(held->radius / trial.gaps[i].radius);
         }
     }
     const Spread spread = spreadOf(shares);
-    return row({name, percent(rests), std::to_string(fullSize), percent(tooLarge),
+    return row({name, percent(rests), std::to_string(fullSize),
                 std::format("{:.2f} ({:.2f}–{:.2f})", spread.median, spread.lowerQuartile, spread.upperQuartile),
-                std::format("{:.2f}", std::ranges::max(shares))});
+                percent(tooLarge)});
 }
 
 std::string ofBall(const std::string &name, const FirstContact &contact, const Shrinking &shrinking,
@@ -102,7 +102,8 @@ which it is first touched; at rest there; and as small as it is when it is last 
         text += ofBall(names[i], pictured.contacts[i], pictured.shrinking[i], ground, radius);
     }
     text += std::format(R"(
-The widest way down from there lets a ball of {:.1f} % through, and none of more than {:.1f} %: so it has to be.
+The gap that is below there lets a ball of {:.1f} % through, and none of more than {:.1f} % (the widest way to where the exact
+ball has fallen, by the exact distance on a grid, and what that may miss): so it has to be.
 
 ### First contact, {} drops
 
@@ -110,30 +111,30 @@ Balls that start at rest above, at places by chance, and that do touch the surfa
 more than 1 % after the step in which the collider first answers. *Too late*: the surface has reached in by more than 1 %
 before that. *Never*: the ball goes through all of it, and nothing answers.
 )",
-                        100.0 * pictured.neck.radius / radius,
-                        100.0 * (pictured.neck.radius + pictured.neck.missed) / radius, trial.contacts.front().size())
+                        100.0 * pictured.gap.radius / radius,
+                        100.0 * (pictured.gap.radius + pictured.gap.missed) / radius, trial.contacts.front().size())
         + head({"", "too early, %", "too late, %", "never", "gap, median", "all gaps", "reached in before, median",
                 "most"});
     for (std::size_t i = 1; i < manners().size(); ++i) {
         text += contactRow(manners()[i].name, trial.contacts[i]);
     }
-    const auto necks = std::ranges::count_if(trial.necks, [](const Neck &neck) { return neck.radius > 0.0; });
+    const auto falling = std::ranges::count_if(trial.gaps, [](const Neck &gap) { return gap.radius > 0.0; });
     text += std::format(R"(
 Figure 20 has boxes that answer too early. At the depth that goes with its figure 18, 3·log8(faces), none does here: its
-last boxes are smaller than faces, so that hardly more than the vertices is left of the surface, and balls sink in. Too
-early is what fewer levels make of it. A greedy answer is never too early, since it is a point of the surface.
+last boxes are smaller than faces, so that hardly more than the vertices is left of the surface, and balls sink in. A greedy
+answer is never too early, since it is a point of the surface.
 
 ### Grooves, {} places
 
 Where a ball rests by `exact`, each way is asked to hold it, and then to let it through as it shrinks to a tenth in five
 seconds. *Rests there*: after a second it is within its radius of the place. *At full size*: it falls before it shrinks.
-Of {} places the exact ball falls, by the dissertation's steps, and these have a widest way as far down as it falls: without
-ever rising, by the exact distance on a grid whose error is allowed for. *Too large*: it falls though none of the ways there is
-wide enough for it. *Falls at*: its radius then, in parts of the widest way's, the median with the quartiles, and the
-most. It may be less where the ball lies beside the way and is held; it cannot be more.
+Of {} places the exact ball falls, by the dissertation's steps. *Falls at*: the radius beside that of the gap which the exact
+ball falls through, the median with the quartiles: less where a ball lies beside the gap and is held, more where it takes
+another way. *Too large*: it falls though no way as far down is wide enough for it that does not rise, whatever it leads
+to, within one and a half radii. Widths are by the exact distance on a grid, whose error is allowed for.
 )",
-                        trial.resting.size(), necks)
-        + head({"", "rests there, %", "at full size", "too large, %", "falls at, of the widest way", "most"});
+                        trial.resting.size(), falling)
+        + head({"", "rests there, %", "at full size", "falls at, of the gap", "too large, %"});
     for (std::size_t i = 0; i < manners().size(); ++i) {
         text += placeRow(manners()[i].name, trial, trial.shrinking[i]);
     }

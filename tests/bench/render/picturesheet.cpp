@@ -54,7 +54,7 @@ void PictureSheet::put(int column, int row, const QImage &picture)
 
 QImage withFewColours(const QImage &image)
 {
-    constexpr std::size_t most = 256;
+    constexpr qsizetype most = 256;
     QList<QRgb> colours;
     for (int step = 8; colours.isEmpty() || colours.size() > most; step += 4) {
         colours = roundedColours(image, step);
