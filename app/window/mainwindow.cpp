@@ -8,13 +8,13 @@
 #include <QLayout>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QSplitter>
 #include <QStandardPaths>
 #include <QTextBlock>
 #include <QToolBar>
 
+#include "aboutbox.h"
 #include "addresslink.h"
 #include "broughttexts.h"
 #include "core/text/linemap.h"
@@ -24,6 +24,7 @@
 #include "exportdialog.h"
 #include "exportwords.h"
 #include "keylist.h"
+#include "measurecontroller.h"
 #include "messagestrip.h"
 #include "outlinepane.h"
 #include "parameterspane.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_viewTools(new ViewTools(m_actions, *m_pane, this))
     , m_physicsActions(*this, m_viewport)
     , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), *this))
+    , m_measure(new MeasureController(m_panels.measure(), *m_physics, m_panels.physics().choices(), *this))
     , m_pictureActions(
           *this, [this] { return m_viewport.grabFramebuffer(); },
           [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
@@ -212,7 +214,7 @@ void MainWindow::connectViewActions()
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
     connect(m_actions.resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeyList(*this); });
-    connect(m_actions.about, &QAction::triggered, this, &MainWindow::showAbout);
+    connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this, m_graphicsSystem); });
 }
 
 void MainWindow::connectViewport()
@@ -470,6 +472,7 @@ void MainWindow::showScene()
 {
     m_viewport.startScene(seen().shown(), seen().view);
     m_physics->start(seen());
+    m_measure->follow(seen());
     m_status->setSummary(seen().summary());
     m_status->clearDrawn();
     m_addressLink->clear();
@@ -615,18 +618,6 @@ void MainWindow::showPreferences()
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PreferencesDialog::changed, m_tabs, &TextTabs::setPreferences);
     dialog->open();
-}
-
-void MainWindow::showAbout()
-{
-    const QString graphics = m_graphicsSystem.isEmpty() ? tr("no OpenGL") : m_graphicsSystem;
-    auto *box = new QMessageBox(QMessageBox::NoIcon, tr("About Romanesco"),
-                                tr("Romanesco %1\n\nAn editor for fractals.\n\nQt %2\n%3")
-                                    .arg(QCoreApplication::applicationVersion(), QLatin1String(qVersion()), graphics),
-                                QMessageBox::Close, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setModal(false);
-    box->show();
 }
 
 }

@@ -24,6 +24,7 @@ namespace romanesco {
 
 class AddressLink;
 class DepthControl;
+class MeasureController;
 class PhysicsController;
 class StatusLine;
 class TextTab;
@@ -96,7 +97,6 @@ private:
     void goToFile(const QString &file, TextPosition position);
     void setFullScreen(bool isFull);
     void showPreferences();
-    void showAbout();
     /// The one that is looked at, and the one whose picture is.
     [[nodiscard]] TextTab &tab() const { return *m_tab; }
     [[nodiscard]] TextTab &seen() const { return *m_seen; }
@@ -114,6 +114,7 @@ private:
     ViewTools *m_viewTools;
     PhysicsActions m_physicsActions;
     PhysicsController *m_physics;
+    MeasureController *m_measure;
     PictureActions m_pictureActions;
     ResourceFiles m_files;
 

@@ -10,6 +10,7 @@
 #include <QMenu>
 
 #include "addresspane.h"
+#include "measurepane.h"
 #include "outlinepane.h"
 #include "parameterspane.h"
 #include "physicspane.h"
@@ -23,12 +24,14 @@ Panels::Panels(QMainWindow &window)
     , m_problems(new ProblemsView)
     , m_parameters(new ParametersPane)
     , m_physics(new PhysicsPane)
+    , m_measure(new MeasurePane)
     , m_address(new AddressPane)
     , m_outline(new OutlinePane)
     , m_problemsDock(add(m_problems, tr("Problems"), QStringLiteral("problems")))
 {
     add(m_parameters, tr("Parameters"), QStringLiteral("parameters"));
     add(m_physics, tr("Physics"), QStringLiteral("physics"));
+    m_measureDock = add(m_measure, tr("Measure"), QStringLiteral("measure"));
     add(m_address, tr("Address"), QStringLiteral("address"));
     add(m_outline, tr("Outline"), QStringLiteral("outline"));
     layOut();
@@ -50,10 +53,19 @@ void Panels::fill(QMenu &window) const
         action->setCheckable(true);
         // of one that is behind another too, which is there, but nobody sees it
         QObject::connect(dock, &QDockWidget::visibilityChanged, action, &QAction::setChecked);
-        QObject::connect(action, &QAction::triggered, dock, [dock](bool isWanted) {
-            dock->setVisible(isWanted);
-            dock->raise();
-        });
+        QObject::connect(action, &QAction::triggered, dock,
+                         [this, dock](bool isWanted) { isWanted ? open(*dock) : dock->hide(); });
+    }
+}
+
+void Panels::open(QDockWidget &dock) const
+{
+    dock.show();
+    dock.raise();
+    // a plot needs more room than a list
+    const int wanted = dock.widget()->sizeHint().height();
+    if (&dock == m_measureDock && !dock.isFloating() && dock.widget()->height() < wanted) {
+        m_window.resizeDocks({&dock}, {wanted}, Qt::Vertical);
     }
 }
 
@@ -62,7 +74,7 @@ void Panels::layOut()
     for (QDockWidget *dock : m_docks) {
         dock->setFloating(false);
         m_window.addDockWidget(Qt::BottomDockWidgetArea, dock);
-        dock->show();
+        dock->setVisible(dock != m_measureDock);
         if (dock != m_problemsDock) {
             m_window.tabifyDockWidget(m_problemsDock, dock);
         }

@@ -13,6 +13,7 @@ class QWidget;
 namespace romanesco {
 
 class AddressPane;
+class MeasurePane;
 class OutlinePane;
 class ParametersPane;
 class PhysicsPane;
@@ -29,6 +30,7 @@ public:
     [[nodiscard]] ProblemsView &problems() const { return *m_problems; }
     [[nodiscard]] ParametersPane &parameters() const { return *m_parameters; }
     [[nodiscard]] PhysicsPane &physics() const { return *m_physics; }
+    [[nodiscard]] MeasurePane &measure() const { return *m_measure; }
     [[nodiscard]] AddressPane &address() const { return *m_address; }
     [[nodiscard]] OutlinePane &outline() const { return *m_outline; }
 
@@ -42,17 +44,21 @@ public:
     void showProblems(const QString &file, const Preview &preview);
 
 private:
+    void open(QDockWidget &dock) const;
     QDockWidget *add(QWidget *panel, const QString &title, const QString &name);
 
     QMainWindow &m_window;
     ProblemsView *m_problems;
     ParametersPane *m_parameters;
     PhysicsPane *m_physics;
+    MeasurePane *m_measure;
     AddressPane *m_address;
     OutlinePane *m_outline;
     /// In the order in which they are listed.
     QList<QDockWidget *> m_docks;
     QDockWidget *m_problemsDock;
+    /// Closed until it is wanted.
+    QDockWidget *m_measureDock;
 };
 
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "physicschoices.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QAction>
@@ -11,10 +12,12 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "core/measure/steptrial.h"
 #include "core/physics/scenephysics.h"
 
 namespace romanesco {
@@ -134,6 +137,7 @@ QWidget *PhysicsChoices::makeMotion()
         showSpeed();
         Q_EMIT speedChanged();
     });
+    addTimeStep(*form);
     m_drops = makeColumn(new QHBoxLayout);
     form->addRow(m_drops);
     m_rainCount = new QSpinBox;
@@ -179,6 +183,21 @@ QWidget *PhysicsChoices::makeRules()
     connect(m_shrink, &QDoubleSpinBox::valueChanged, this, &PhysicsChoices::rulesChanged);
     connect(m_asInDissertation, &QCheckBox::toggled, this, &PhysicsChoices::rulesChanged);
     return makeColumn(form);
+}
+
+void PhysicsChoices::addTimeStep(QFormLayout &form)
+{
+    m_timeStep = new QComboBox;
+    m_timeStep->setAccessibleName(tr("Time step"));
+    m_timeStep->setToolTip(
+        tr("How long a step of the simulation is: shorter ones cost more. Balls pass through nothing "
+           "whatever it is, but those of the dissertation do"));
+    for (const int steps : trialStepsASecond()) {
+        m_timeStep->addItem(tr("1/%1 s").arg(steps), 1.0 / steps);
+    }
+    m_timeStep->setCurrentIndex(m_timeStep->findData(Laws().timeStep));
+    addRow(form, tr("Ti&me step"), {m_timeStep});
+    connect(m_timeStep, &QComboBox::currentIndexChanged, this, &PhysicsChoices::rulesChanged);
 }
 
 void PhysicsChoices::addBounce(QFormLayout &form)
@@ -259,9 +278,32 @@ World::Options PhysicsChoices::rules() const
         world.laws.gravity[axis] = m_gravity[static_cast<std::size_t>(axis)]->value();
     }
     world.laws.isGravityInRadii = m_gravityUnit->currentIndex() == 1;
+    world.laws.timeStep = m_timeStep->currentData().toDouble();
     world.shrinkRate = m_shrink->value();
     world.isAsInDissertation = m_asInDissertation->isChecked();
     return world;
+}
+
+void PhysicsChoices::setStepping(double timeStep, bool isAsInDissertation)
+{
+    const auto offTo = [timeStep](int steps) { return std::abs(std::log(timeStep * steps)); };
+    const auto nearest = std::ranges::min_element(trialStepsASecond(), {}, offTo);
+    {
+        const QSignalBlocker oneChange(this);
+        m_timeStep->setCurrentIndex(static_cast<int>(nearest - trialStepsASecond().begin()));
+        m_asInDissertation->setChecked(isAsInDissertation);
+    }
+    Q_EMIT rulesChanged();
+}
+
+void PhysicsChoices::setCollider(const SceneCollider::Options &collider)
+{
+    {
+        const QSignalBlocker oneChange(this);
+        m_tolerance->setValue(collider.excess);
+        m_collider->setCurrentIndex(static_cast<int>(collider.kind));
+    }
+    Q_EMIT colliderChanged();
 }
 
 SceneCollider::Options PhysicsChoices::collider() const

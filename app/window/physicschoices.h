@@ -33,7 +33,10 @@ public:
     void addActions(const PhysicsActions &actions, QAction &drop);
 
     [[nodiscard]] World::Options rules() const;
+    /// The nearest step that is offered, in seconds, and whether balls move as in the dissertation.
+    void setStepping(double timeStep, bool isAsInDissertation);
     [[nodiscard]] SceneCollider::Options collider() const;
+    void setCollider(const SceneCollider::Options &collider);
     /// Which collider, and whether balls may go through by it: "exact · no ball goes through".
     [[nodiscard]] QString promise() const;
     /// Simulated seconds for each that goes by.
@@ -55,6 +58,7 @@ private:
     QWidget *makeCollider();
     void addBounce(QFormLayout &form);
     void addGravity(QFormLayout &form);
+    void addTimeStep(QFormLayout &form);
     void showSpeed();
     void showPromise();
 
@@ -62,6 +66,7 @@ private:
     QWidget *m_drops;
     QSlider *m_speed;
     QLabel *m_speedWords;
+    QComboBox *m_timeStep;
     QDoubleSpinBox *m_radius;
     QComboBox *m_colour;
     QComboBox *m_material;

@@ -14,6 +14,7 @@
 #include "app/drawing/ballcolours.h"
 #include "balldropper.h"
 #include "ballkeeper.h"
+#include "core/physics/ballplaces.h"
 #include "core/physics/rain.h"
 #include "physicschoices.h"
 #include "physicsfigures.h"
@@ -132,6 +133,20 @@ void PhysicsController::update()
         m_simulation.setScene(m_scene);
         m_walkMode.setScene(m_scene);
     }
+}
+
+std::optional<std::vector<Ball>> PhysicsController::balls() const
+{
+    if (!m_frame->isStarted) {
+        return std::nullopt;
+    }
+    std::vector<Ball> balls;
+    balls.reserve(m_frame->balls.size());
+    for (const LiveSimulation::BallFrame &ball : m_frame->balls) {
+        balls.push_back(inWorld({ball.after, ball.velocity, ball.radius, ball.restitution},
+                                m_frame->places[ball.place].surroundings.get()));
+    }
+    return balls;
 }
 
 /// The longest side of the box round it.

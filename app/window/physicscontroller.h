@@ -42,6 +42,9 @@ public:
     /// The text has changed: balls that move go on, on what it says now.
     void update();
 
+    /// Those that are there now, in the world; nothing while all are where the scene has them.
+    [[nodiscard]] std::optional<std::vector<Ball>> balls() const;
+
     [[nodiscard]] ContactInspector &inspector() { return m_inspector; }
 
 Q_SIGNALS:

@@ -37,8 +37,8 @@ QString wordsOf(const LiveSimulation::Frame &frame)
                  .arg(frame.balls.size())
                  .arg(resting)
                  .arg(frame.contacts);
-    const double time = static_cast<double>(frame.stepCount) * frame.timeStep;
-    lines << PhysicsFigures::tr("%1 s, step %2").arg(locale.toString(time, 'f', 2), locale.toString(frame.stepCount));
+    lines << PhysicsFigures::tr("%1 s, step %2")
+                 .arg(locale.toString(frame.seconds, 'f', 2), locale.toString(frame.stepCount));
     const StepMeter::Figures &figures = frame.figures;
     if (figures.realTimeFactor > 0.0) {
         lines << PhysicsFigures::tr("%1× real time, %2 ms a step")

@@ -3,11 +3,11 @@
 #include "errorplot.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <format>
 
+#include "plotlayout.h"
 #include "words.h"
 
 namespace romanesco {
@@ -24,49 +24,10 @@ constexpr double bottom = 44.0;
 constexpr double zeroBand = 30.0;
 constexpr double letterWidth = 6.2;
 constexpr double letterHeight = 12.0;
-/// Told apart by those who do not see all colours, too (Okabe and Ito 2008).
-constexpr std::array colours{"#0072b2", "#56b4e9", "#d55e00", "#cc79a7", "#009e73", "#e69f00"};
-
-/// A rectangle that something stands in.
-struct Place {
-    double x = 0.0;
-    double y = 0.0;
-    double width = 0.0;
-    double height = 0.0;
-
-    [[nodiscard]] bool overlaps(const Place &other) const
-    {
-        return x < other.x + other.width && other.x < x + width && y < other.y + other.height && other.y < y + height;
-    }
-};
-
-/// From decade to decade.
-struct Decades {
-    int first = 0;
-    int last = 1;
-
-    [[nodiscard]] double shareOf(double value) const { return (std::log10(value) - first) / (last - first); }
-    /// Where there are many not all have a number.
-    [[nodiscard]] int step() const { return (last - first) / 8 + 1; }
-};
-
-Decades decadesOf(std::vector<double> values)
-{
-    std::erase(values, 0.0);
-    if (values.empty()) {
-        return {-1, 0};
-    }
-    const auto [least, greatest] = std::ranges::minmax(values);
-    Decades decades{static_cast<int>(std::floor(std::log10(least))), static_cast<int>(std::ceil(std::log10(greatest)))};
-    decades.last = std::max(decades.last, decades.first + 1);
-    return decades;
-}
-
-/// "0.01", "100", "1e-6".
-std::string decadeText(int exponent)
-{
-    return exponent >= -3 && exponent <= 4 ? briefly(std::pow(10.0, exponent)) : std::format("1e{}", exponent);
-}
+/// Beside a label.
+constexpr double gap = 2.0;
+/// Of an axis.
+constexpr int mostNumbers = 8;
 
 class Plot
 {
@@ -129,14 +90,14 @@ private:
         for (int decade = m_costs.first; decade <= m_costs.last; ++decade) {
             const double x = xOf(std::pow(10.0, decade));
             line(x, top, x, height - bottom, faint);
-            if ((decade - m_costs.first) % m_costs.step() == 0) {
+            if ((decade - m_costs.first) % m_costs.step(mostNumbers) == 0) {
                 text(x, height - bottom + 15.0, "text-anchor=\"middle\"", decadeText(decade));
             }
         }
         for (int decade = m_errors.first; decade <= m_errors.last; ++decade) {
             const double y = yOf(std::pow(10.0, decade));
             line(left, y, width - right, y, faint);
-            if ((decade - m_errors.first) % m_errors.step() == 0) {
+            if ((decade - m_errors.first) % m_errors.step(mostNumbers) == 0) {
                 text(left - 6.0, y + 4.0, "text-anchor=\"end\"", decadeText(decade));
             }
         }
@@ -178,14 +139,14 @@ private:
     {
         const double x = xOf(point.cost);
         const double y = yOf(point.error);
-        const char *colour = colours[static_cast<std::size_t>(point.group) % colours.size()];
-        m_taken.push_back({x - 5.0, y - 5.0, 10.0, 10.0});
+        const char *colour = plotColours[static_cast<std::size_t>(point.group) % plotColours.size()];
+        m_room.take({x - 5.0, y - 5.0, 10.0, 10.0});
         m_svg += std::format("<g class=\"point\"><title>{}: cost {}, error {}{}</title>", escaped(point.label),
                              figure(point.cost), figure(point.error), isOnFront ? ", on the front" : "");
         if (point.spread && point.spread->lowerQuartile > 0.0) {
             const double from = std::max(xOf(point.spread->lowerQuartile), left);
             const double to = std::min(xOf(point.spread->upperQuartile), width - right);
-            m_taken.push_back({from, y - 1.0, to - from, 2.0});
+            m_room.take({from, y - 1.0, to - from, 2.0});
             m_svg += std::format("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\"/>", from,
                                  y, to, y, colour);
         }
@@ -197,28 +158,9 @@ private:
     /// Beside the point, where there is room; else the point's title has to do.
     void drawLabel(const PlotPoint &point)
     {
-        const double x = xOf(point.cost);
-        const double y = yOf(point.error);
-        const double wide = letterWidth * static_cast<double>(point.label.size());
-        const Place all{left, top, width - left - right + 8.0, height - bottom - top};
-        for (const auto &[fromX, fromY] : {std::pair{8.0, 4.0},
-                                           {-8.0 - wide, 4.0},
-                                           {-wide / 2.0, -9.0},
-                                           {-wide / 2.0, 18.0},
-                                           {8.0, -9.0},
-                                           {8.0, 17.0},
-                                           {-8.0 - wide, -9.0},
-                                           {-8.0 - wide, 17.0}}) {
-            const Place place{x + fromX - 2.0, y + fromY - letterHeight + 3.0, wide + 4.0, letterHeight};
-            const bool isInside = place.x >= all.x && place.y >= all.y && place.x + place.width <= all.x + all.width
-                && place.y + place.height <= all.y + all.height;
-            const bool isFree =
-                std::ranges::none_of(m_taken, [&](const Place &other) { return place.overlaps(other); });
-            if (isInside && isFree) {
-                m_taken.push_back(place);
-                text(x + fromX, y + fromY, "font-size=\"11\"", point.label);
-                return;
-            }
+        const double wide = letterWidth * static_cast<double>(point.label.size()) + 2.0 * gap;
+        if (const auto place = m_room.besidePoint(xOf(point.cost), yOf(point.error), wide, letterHeight)) {
+            text(place->x + gap, place->y + letterHeight - 3.0, "font-size=\"11\"", point.label);
         }
     }
 
@@ -228,8 +170,7 @@ private:
     std::vector<bool> m_front;
     Decades m_costs;
     Decades m_errors;
-    /// What labels keep off.
-    std::vector<Place> m_taken;
+    LabelRoom m_room{{left, top, width - left - right + 8.0, height - bottom - top}};
     std::string m_svg;
 };
 

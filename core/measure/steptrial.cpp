@@ -214,6 +214,11 @@ std::expected<StepTrial, std::string> tried(const Subject &subject, const StepTr
 
 }
 
+std::span<const int> trialStepsASecond()
+{
+    return stepsASecond;
+}
+
 std::string nameOf(const StepRow &row)
 {
     return std::format("{} 1/{:.0f}", row.isAsInDissertation ? "dissertation" : "romanesco", 1.0 / row.timeStep);

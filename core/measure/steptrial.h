@@ -60,6 +60,9 @@ struct StepTrial {
     std::vector<StepRow> rows = {};
 };
 
+/// One over the time steps that are tried, ascending.
+[[nodiscard]] std::span<const int> trialStepsASecond();
+
 /// "romanesco 1/240", "dissertation 1/60".
 [[nodiscard]] std::string nameOf(const StepRow &row);
 

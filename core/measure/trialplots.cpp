@@ -20,7 +20,8 @@ void add(TrialPlot &plot, std::size_t row, PlotPoint point)
 
 TrialPlot plotOf(const ColliderTrial &trial, QuerySet set, bool isByTime)
 {
-    TrialPlot plot{isByTime ? "nanoseconds a query" : "face tests a query", "largest error, in parts of the distance"};
+    TrialPlot plot{isByTime ? "time" : "face tests", isByTime ? "nanoseconds a query" : "face tests a query",
+                   "largest error, in parts of the distance"};
     for (std::size_t i = 0; i < trial.rows.size(); ++i) {
         const ColliderRow &row = trial.rows[i];
         if (row.queries == set && row.reason.empty()) {
@@ -35,9 +36,9 @@ TrialPlot plotOf(const ColliderTrial &trial, QuerySet set, bool isByTime)
     return plot;
 }
 
-TrialPlot plotOf(const StepTrial &trial, double StepRow::*error, const char *errorAxis)
+TrialPlot plotOf(const StepTrial &trial, const char *title, double StepRow::*error, const char *errorAxis)
 {
-    TrialPlot plot{"microseconds a ball and second", errorAxis};
+    TrialPlot plot{title, "microseconds a ball and second", errorAxis};
     for (std::size_t i = 0; i < trial.rows.size(); ++i) {
         const StepRow &row = trial.rows[i];
         add(plot, i,
@@ -52,7 +53,7 @@ TrialPlot plotOf(const StepTrial &trial, double StepRow::*error, const char *err
 
 TrialPlot plotOf(const FrameTrial &trial, FramePlace place, bool isByTime)
 {
-    TrialPlot plot{isByTime ? "milliseconds a picture" : "faces a picture", "RMS error by the tolerance alone, of 255"};
+    TrialPlot plot{isByTime ? "time" : "faces", isByTime ? "milliseconds a picture" : "faces a picture", "RMS error by the tolerance alone, of 255"};
     for (std::size_t i = 0; i < trial.rows.size(); ++i) {
         const FrameRow &row = trial.rows[i];
         if (row.place == place && row.reason.empty()) {
@@ -75,15 +76,15 @@ std::vector<TrialPlot> plotsOf(const ColliderTrial &trial, QuerySet set)
 
 std::vector<TrialPlot> plotsOf(const StepTrial &trial)
 {
-    return {plotOf(trial, &StepRow::energyWorst, "energy off by, at worst"),
-            plotOf(trial, &StepRow::landingWorst, "landing off by, at worst, in radii")};
+    return {plotOf(trial, "energy", &StepRow::energyWorst, "energy off by, at worst"),
+            plotOf(trial, "landing", &StepRow::landingWorst, "landing off by, at worst, in radii")};
 }
 
 std::vector<TrialPlot> plotsOf(const DigitTrial &trial)
 {
     constexpr const char *error = "largest error, in parts of the diagonal";
-    TrialPlot byBytes{"bytes a face", error};
-    TrialPlot byTime{"nanoseconds a face", error};
+    TrialPlot byBytes{"bytes", "bytes a face", error};
+    TrialPlot byTime{"time", "nanoseconds a face", error};
     for (std::size_t i = 0; i < trial.rows.size(); ++i) {
         const DigitRow &row = trial.rows[i];
         PlotPoint point{.label = nameOf(row), .group = row.digits ? 0 : 2, .error = row.worst};

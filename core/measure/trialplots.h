@@ -16,6 +16,8 @@ namespace romanesco {
 
 /// Error against cost, of the rows of a trial.
 struct TrialPlot {
+    /// What tells it from the other plots of the same rows: "time".
+    std::string title;
     std::string costAxis;
     std::string errorAxis;
     std::vector<PlotPoint> points = {};

@@ -331,6 +331,7 @@ private:
             return false;
         }
         m_simulation.emplace(std::move(*made));
+        m_seconds = 0.0;
         m_remark.clear();
         m_nextNumber = 0;
         m_ownBalls = m_simulation->world().balls().size();
@@ -355,6 +356,7 @@ private:
     {
         const Clock::time_point begun = Clock::now();
         m_simulation->step();
+        m_seconds += m_simulation->world().options().laws.timeStep;
         m_meter.add(Clock::now() - begun, m_simulation->world(), m_isPlaying);
     }
 
@@ -376,7 +378,7 @@ private:
             const World &world = m_simulation->world();
             frame.isRecorded = m_simulation->isRecorded();
             frame.stepCount = world.stepCount();
-            frame.timeStep = world.options().laws.timeStep;
+            frame.seconds = m_seconds;
             frame.due = m_due;
             frame.way = Seconds(m_isPlaying ? wayOfStep() : 0.0);
             frame.energy = m_simulation->energy();
@@ -423,6 +425,8 @@ private:
     double m_speed = 1.0;
     bool m_isPlaying = false;
     std::optional<Simulation> m_simulation;
+    /// Of it.
+    double m_seconds = 0.0;
     std::optional<Replay> m_replay;
     std::string m_remark;
     /// Beside the balls.

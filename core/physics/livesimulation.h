@@ -64,7 +64,8 @@ public:
         /// All that was done can be recorded.
         bool isRecorded = true;
         std::uint64_t stepCount = 0;
-        double timeStep = 0.0;
+        /// Simulated since the start.
+        double seconds = 0.0;
         /// When balls are where they are after the last step, and how long they take there from where they were before.
         Clock::time_point due;
         std::chrono::duration<double> way{0.0};

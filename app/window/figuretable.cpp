@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include "figuretable.h"
+
+#include "core/measure/words.h"
+
+namespace romanesco {
+
+namespace {
+
+using Figure = FigureTable::Figure;
+
+Figure figureOf(double value)
+{
+    return {QString::fromStdString(figure(value)), value};
+}
+
+/// With its quartiles.
+Figure figureOf(const Spread &spread, double unit)
+{
+    const auto words = [unit](double value) { return QString::fromStdString(figure(unit * value)); };
+    return {QStringLiteral("%1 (%2–%3)")
+                .arg(words(spread.median), words(spread.lowerQuartile), words(spread.upperQuartile)),
+            spread.median};
+}
+
+/// With its interval.
+Figure figureOf(const Share &share)
+{
+    return {QString::fromStdString(percent(share)), share.of == 0 ? -1.0 : share.value()};
+}
+
+QString missedTip()
+{
+    return FigureTable::tr("Collisions that were not found, in per cent; in brackets what they are of all such, with a "
+                           "confidence of 95 %");
+}
+
+}
+
+FigureTable FigureTable::of(const ColliderTrial &trial, QuerySet set)
+{
+    FigureTable table{
+        .nameHead = {tr("Collider"), tr("The way to search, and its tolerance")},
+        .heads = {
+            {tr("µs"), tr("Of the processor's time for a query; the median of several rounds, and the quartiles")},
+            {tr("Faces"), tr("Face tests a query, in the mean: the same in every run")},
+            {tr("Largest error"), tr("In parts of the distance")},
+            {tr("Wrong by 1 %"),
+             tr("Answers that are off by more than 1 % of the distance, in per cent; in brackets what they are of "
+                "all, with a confidence of 95 %")},
+            {tr("Missed"), missedTip()},
+            {tr("Build, ms"), tr("Milliseconds until the first query can be asked")},
+            {tr("Bytes"), tr("Kept beside the mesh and the graph")}}};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const ColliderRow &row = trial.rows[i];
+        if (row.queries != set) {
+            continue;
+        }
+        Row shown{.number = i,
+                  .name = QString::fromStdString(nameOf(row)),
+                  .reason = QString::fromStdString(row.reason)};
+        if (row.reason.empty()) {
+            shown.figures = {figureOf(row.nanoseconds, 1e-3),
+                             figureOf(row.survey.faceTestsMean),
+                             figureOf(row.survey.worst),
+                             figureOf(row.survey.wrong[1]),
+                             figureOf(row.survey.missed),
+                             figureOf(row.buildMilliseconds.median),
+                             {QString::fromStdString(grouped(row.bytes)), static_cast<double>(row.bytes)}};
+        }
+        table.rows.push_back(std::move(shown));
+    }
+    return table;
+}
+
+FigureTable FigureTable::of(const StepTrial &trial)
+{
+    FigureTable table{
+        .nameHead = {tr("Step"), tr("Who steps, and for how many seconds")},
+        .heads = {{tr("µs"), tr("Of the processor's time, for a ball and a second that it moves; with the quartiles")},
+                  {tr("Queries"), tr("Of a ball and a second")},
+                  {tr("Energy off by"), tr("In parts of what a ball fell with: the median")},
+                  {tr("At worst"), tr("Of the energy")},
+                  {tr("Landing off by"),
+                   tr("How far a ball was from where it lands when it was found to touch, in radii: the median")},
+                  {tr("At worst"), tr("Of the landing")},
+                  {tr("Missed"), missedTip()}}};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const StepRow &row = trial.rows[i];
+        table.rows.push_back(
+            {.number = i,
+             .name = QString::fromStdString(nameOf(row)),
+             .figures = {figureOf(row.microseconds, 1.0), figureOf(row.queries), figureOf(row.energyMedian),
+                         figureOf(row.energyWorst), figureOf(row.landingMedian), figureOf(row.landingWorst),
+                         figureOf(row.missed)}});
+    }
+    return table;
+}
+
+QString FigureTable::wordsOf(const Row &row) const
+{
+    QStringList lines{row.name};
+    for (std::size_t i = 0; i < row.figures.size(); ++i) {
+        lines << QStringLiteral("%1: %2").arg(heads[i].words, row.figures[i].words);
+    }
+    if (!row.reason.isEmpty()) {
+        lines << row.reason;
+    }
+    return lines.join(u'\n');
+}
+
+}

@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// SPDX-FileCopyrightText: Romanesco authors
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTableView>
+#include <QToolTip>
+
+#include "app/window/measurecontroller.h"
+#include "app/window/measurepane.h"
+#include "app/window/measureplot.h"
+#include "app/window/measureview.h"
+#include "app/window/physicschoices.h"
+#include "app/window/physicscontroller.h"
+#include "windowsample.h"
+
+using namespace romanesco;
+using Sample = romanesco::test::WindowSample;
+
+namespace {
+
+/// A cube, which all ways find fast.
+constexpr auto cube = "c (0, 0, -12) # 8\no \"cube.obj\" #\n";
+/// 2^24 cubes in a row: too many to be written out.
+constexpr auto row = "v 1 0 0\nv -1 0 0\nhalf 0.5 0.5 0.5\nx. \"cube.obj\"\nt.p. (p, #, half)\n"
+                     "z<x>. [t.1, t.2] x\n<$>. z 24\n";
+constexpr auto nowhere = "c (0, 0, -12) # 8\n";
+
+struct MeasureSample : Sample {
+    MeasurePane &panel = *window.findChild<MeasurePane *>();
+    MeasureController &controller = *window.findChild<MeasureController *>();
+    QDockWidget &dock = *window.findChild<QDockWidget *>(QStringLiteral("measure"));
+    QSignalSpy finished{&controller, &MeasureController::finished};
+
+    template<typename Widget>
+    Widget &named(const QString &name) const
+    {
+        for (auto *widget : panel.findChildren<Widget *>()) {
+            if (widget->accessibleName() == name) {
+                return *widget;
+            }
+        }
+        qFatal("there is no %s", qPrintable(name));
+    }
+    QPushButton &button(const QString &words) const
+    {
+        for (auto *found : panel.findChildren<QPushButton *>()) {
+            if (found->text().remove(u'&').startsWith(words)) {
+                return *found;
+            }
+        }
+        qFatal("there is no %s", qPrintable(words));
+    }
+    /// By the menu.
+    void open() const
+    {
+        for (const QMenu *menu : window.menuBar()->findChildren<QMenu *>()) {
+            for (QAction *action : menu->actions()) {
+                if (menu->title() == QLatin1String("&Window") && action->text() == QLatin1String("Measure")) {
+                    action->trigger();
+                    return;
+                }
+            }
+        }
+        qFatal("there is no panel");
+    }
+    bool begin(const char *text, const QString &name = QStringLiteral("scene.sdo"))
+    {
+        if (!QFile::exists(path(QStringLiteral("cube.obj")))
+            && !QFile::copy(QStringLiteral(":/examples/cube.obj"), path(QStringLiteral("cube.obj")))) {
+            return false;
+        }
+        window.resize(1280, 800);
+        open();
+        return window.openFile(write(name, text)) && waitUntilActive()
+            && QTest::qWaitFor([&] { return button(QStringLiteral("Measure")).isEnabled(); }, 60'000);
+    }
+    void press(QPushButton &button) const { QTest::mouseClick(&button, Qt::LeftButton); }
+    bool waitForEnd()
+    {
+        const auto before = finished.count();
+        const bool isDone = QTest::qWaitFor([&] { return finished.count() > before; }, 120'000);
+        QCoreApplication::processEvents(); // the plot is drawn soon
+        return isDone;
+    }
+    bool measure()
+    {
+        press(button(QStringLiteral("Measure")));
+        return waitForEnd();
+    }
+    [[nodiscard]] QString words() const { return named<QLabel>(QStringLiteral("What was measured")).text(); }
+    [[nodiscard]] QTableView &table() const { return named<QTableView>(QStringLiteral("Figures")); }
+    [[nodiscard]] QStringList names() const
+    {
+        QStringList names;
+        for (int i = 0; i < table().model()->rowCount(); ++i) {
+            names << cell(i, 0);
+        }
+        return names;
+    }
+    [[nodiscard]] QString cell(int line, int column) const
+    {
+        return table().model()->index(line, column).data().toString();
+    }
+    [[nodiscard]] QString chosen() const
+    {
+        const QModelIndexList rows = table().selectionModel()->selectedRows();
+        return rows.isEmpty() ? QString() : rows.first().data().toString();
+    }
+    [[nodiscard]] MeasurePlot &plot() const { return *panel.findChild<MeasurePlot *>(); }
+    /// What takes the mouse there.
+    [[nodiscard]] QWidget &canvas() const { return *plot().findChild<QWidget *>(); }
+    /// Where the point of a row of the trial is.
+    [[nodiscard]] QPoint placeOf(std::size_t point) const { return plot().placeOf(point).toPoint(); }
+    void show(const QString &part) const { named<QComboBox>(QStringLiteral("What is shown")).setCurrentText(part); }
+    [[nodiscard]] const PhysicsChoices &physics() const { return *window.findChild<PhysicsChoices *>(); }
+    [[nodiscard]] QString said() const { return window.findChild<QStatusBar *>()->currentMessage(); }
+};
+
+const QStringList colliders{"exact",
+                            "approximate 1e-6",
+                            "approximate 1e-5",
+                            "approximate 1e-4",
+                            "approximate 0.001",
+                            "approximate 0.01",
+                            "approximate 0.1",
+                            "approximate 0.5",
+                            "greedy",
+                            "octree",
+                            "bvh",
+                            "simple"};
+
+}
+
+/// What the scene that is seen costs, and how far off it is, in a panel.
+class TestMeasurePane : public QObject
+{
+    Q_OBJECT
+private Q_SLOTS:
+    void nothingIsMadeBeforeItIsOpened();
+    void allIsMeasuredAndShown();
+    void theMouseTellsAndChooses();
+    void keysChooseAndUse();
+    void figuresAreSortedAsNumbers();
+    void whatIsNotPossibleIsNotUsed();
+    void timeStepsAreUsed();
+    void cancellingKeepsWhatWasThere();
+    void theTextIsEditedMeanwhile();
+    void errorsLeaveTheLastGoodVersion();
+    void whatCannotBeMeasuredIsSaid();
+    void ballsThatFallAreAsked();
+    void thePageIsWritten();
+    void coloursAreThoseOfThePalette();
+    void anUprightPanelHasAllOneAboveTheOther();
+    void theWindowClosesMeanwhile();
+};
+
+void TestMeasurePane::nothingIsMadeBeforeItIsOpened()
+{
+    MeasureSample sample;
+    sample.window.resize(1280, 800);
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(!sample.dock.isVisible());
+    QVERIFY(!sample.panel.findChild<MeasureView *>());
+    const int before = sample.viewport.height();
+    sample.open();
+    QVERIFY(sample.dock.isVisible());
+    QVERIFY(sample.panel.findChild<MeasureView *>());
+    // a plot needs more room than a list
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.height() < before; }));
+    QVERIFY(sample.plot().height() >= 150);
+    QVERIFY(sample.words().contains(QStringLiteral("Measures on this scene")));
+    QVERIFY(!sample.button(QStringLiteral("Use")).isEnabled());
+    QVERIFY(!sample.button(QStringLiteral("Export")).isEnabled());
+}
+
+void TestMeasurePane::allIsMeasuredAndShown()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    const QProgressBar &bar = sample.named<QProgressBar>(QStringLiteral("How far measuring is"));
+    QVERIFY(!bar.isVisible());
+    QSignalSpy steps(&bar, &QProgressBar::valueChanged);
+    sample.press(sample.button(QStringLiteral("Measure")));
+    QVERIFY(bar.isVisible() && sample.words().startsWith(QStringLiteral("Measuring")));
+    QVERIFY(sample.waitForEnd());
+    QVERIFY(!bar.isVisible());
+    // one after another, each farther than the one before
+    int last = 0;
+    for (qsizetype i = 0; i + 1 < steps.size(); ++i) { // in the end it goes back
+        QVERIFY(steps[i][0].toInt() > last);
+        last = steps[i][0].toInt();
+    }
+    QVERIFY(steps.size() > 12 && last > 900);
+
+    QCOMPARE(sample.names(), colliders);
+    const auto error = [&](int line) { return sample.cell(line, 3); };
+    QCOMPARE(error(0), QStringLiteral("0"));
+    QCOMPARE(error(10), QStringLiteral("0"));
+    QVERIFY(sample.words().startsWith(QStringLiteral("12 faces, ")));
+    QVERIFY(sample.words().contains(QStringLiteral("1,600 queries anywhere in 1.5 times the box")));
+    // the plot has the same, and what is not off is lowest
+    const auto lowest = sample.plot().placeOf(0).y();
+    for (std::size_t i = 0; i < 12; ++i) {
+        const bool isOff = error(static_cast<int>(i)) != QLatin1String("0");
+        QCOMPARE(sample.plot().placeOf(i).y() < lowest - 1.0, isOff);
+        QVERIFY(sample.plot().rect().contains(sample.placeOf(i)));
+    }
+    QComboBox &queries = sample.named<QComboBox>(QStringLiteral("Queries"));
+    QCOMPARE(queries.count(), 3);
+    queries.setCurrentText(QStringLiteral("pocket"));
+    QVERIFY(sample.words().contains(QStringLiteral("in the box, away from the surface")));
+    const QPointF byTime = sample.plot().placeOf(0);
+    QComboBox &kind = sample.named<QComboBox>(QStringLiteral("What is plotted"));
+    kind.setCurrentText(QStringLiteral("face tests"));
+    QVERIFY(sample.plot().placeOf(0).x() != byTime.x());
+    sample.show(QStringLiteral("Time step"));
+    QVERIFY(!queries.isVisible());
+    QCOMPARE(sample.names().size(), 12);
+    QCOMPARE(sample.names().first(), QStringLiteral("romanesco 1/30"));
+    QCOMPARE(kind.count(), 2);
+}
+
+void TestMeasurePane::theMouseTellsAndChooses()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    const auto greedy = static_cast<std::size_t>(colliders.indexOf(QStringLiteral("greedy")));
+    const QPoint place = sample.placeOf(greedy);
+    QTest::mouseMove(&sample.canvas(), place - QPoint(40, 40));
+    QTest::mouseMove(&sample.canvas(), place);
+    QVERIFY(QTest::qWaitFor([] { return QToolTip::isVisible(); }));
+    // it or one that is as good
+    const QString told = QToolTip::text().section(u'\n', 0, 0);
+    QVERIFY2(colliders.contains(told), qPrintable(told));
+    QVERIFY(QToolTip::text().contains(QStringLiteral("Largest error: ")));
+    QCOMPARE(QToolTip::text(), sample.plot().wordsAt(place));
+    QTest::mouseMove(&sample.canvas(), QPoint(2, 2));
+    QVERIFY(QTest::qWaitFor([] { return !QToolTip::isVisible(); }));
+
+    const QImage before = sample.plot().grab().toImage();
+    QTest::mouseClick(&sample.canvas(), Qt::LeftButton, {}, place);
+    QCOMPARE(sample.chosen(), told);
+    QVERIFY(QTest::qWaitFor([&] { return sample.plot().grab().toImage() != before; }));
+    QPushButton &use = sample.button(QStringLiteral("Use"));
+    QCOMPARE(use.text(), QStringLiteral("&Use “%1”").arg(told));
+    sample.press(use);
+    QCOMPARE(
+        QString::fromStdString(std::string(colliderNames[static_cast<std::size_t>(sample.physics().collider().kind)])),
+        told.section(u' ', 0, 0));
+    QVERIFY(sample.said().contains(told));
+
+    const QPoint simple = sample.placeOf(11);
+    QTest::mouseDClick(&sample.canvas(), Qt::LeftButton, {}, simple);
+    QCOMPARE(sample.physics().collider().kind, ColliderKind::Simple);
+}
+
+void TestMeasurePane::keysChooseAndUse()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    sample.table().setFocus();
+    const auto press = [&](Qt::Key key) { QTest::keyClick(&sample.table(), key); };
+    press(Qt::Key_Home);
+    for (int i = 0; i < 5; ++i) {
+        press(Qt::Key_Down);
+    }
+    QCOMPARE(sample.chosen(), QStringLiteral("approximate 0.01"));
+    press(Qt::Key_Return);
+    QCOMPARE(sample.physics().collider().kind, ColliderKind::Approximate);
+    QCOMPARE(sample.physics().collider().excess, 0.01);
+    // the same in another set
+    sample.named<QComboBox>(QStringLiteral("Queries")).setCurrentText(QStringLiteral("near"));
+    QCOMPARE(sample.chosen(), QStringLiteral("approximate 0.01"));
+    sample.show(QStringLiteral("Time step"));
+    QCOMPARE(sample.chosen(), QString());
+    QVERIFY(!sample.button(QStringLiteral("Use")).isEnabled());
+}
+
+void TestMeasurePane::figuresAreSortedAsNumbers()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    const QHeaderView &head = *sample.table().horizontalHeader();
+    constexpr int bytes = 7;
+    const auto click = [&] {
+        QTest::mouseClick(head.viewport(), Qt::LeftButton, {},
+                          {head.sectionViewportPosition(bytes) + 10, head.height() / 2});
+    };
+    const auto bytesOf = [&] {
+        QList<qint64> values;
+        for (int i = 0; i < sample.table().model()->rowCount(); ++i) {
+            values << sample.cell(i, bytes).remove(u',').toLongLong();
+        }
+        return values;
+    };
+    sample.table().scrollTo(sample.table().model()->index(0, bytes));
+    click();
+    const QList<qint64> once = bytesOf();
+    click();
+    const QList<qint64> twice = bytesOf();
+    QVERIFY(once.first() != once.last());
+    QVERIFY(std::ranges::is_sorted(once) != std::ranges::is_sorted(twice));
+    QVERIFY(std::ranges::is_sorted(once, std::greater()) != std::ranges::is_sorted(twice, std::greater()));
+}
+
+void TestMeasurePane::whatIsNotPossibleIsNotUsed()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(row, QStringLiteral("row.fdo")));
+    QVERIFY(sample.measure());
+    const auto line = static_cast<int>(sample.names().indexOf(QStringLiteral("bvh")));
+    QVERIFY(sample.cell(line, 1).startsWith(QStringLiteral("not possible: ")));
+    QCOMPARE(sample.table().columnSpan(line, 1), sample.table().model()->columnCount() - 1);
+    sample.table().selectRow(line);
+    const QPushButton &use = sample.button(QStringLiteral("Use"));
+    QVERIFY(!use.isEnabled());
+    QVERIFY(use.toolTip().startsWith(QStringLiteral("not possible: ")));
+    QTest::keyClick(&sample.table(), Qt::Key_Return);
+    QCOMPARE(sample.physics().collider().kind, ColliderKind::Exact);
+    // wherever its row goes, the reason goes along
+    sample.table().sortByColumn(0, Qt::DescendingOrder);
+    const auto now = static_cast<int>(sample.names().indexOf(QStringLiteral("bvh")));
+    QVERIFY(now != line);
+    QVERIFY(sample.table().columnSpan(now, 1) > 1);
+}
+
+void TestMeasurePane::timeStepsAreUsed()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    sample.show(QStringLiteral("Time step"));
+    sample.press(sample.button(QStringLiteral("Measure")));
+    // what is looked at comes first
+    QVERIFY(QTest::qWaitFor([&] { return !sample.names().isEmpty(); }, 120'000));
+    QCOMPARE(sample.finished.count(), 0);
+    sample.table().selectRow(static_cast<int>(sample.names().indexOf(QStringLiteral("dissertation 1/60"))));
+    sample.press(sample.button(QStringLiteral("Use")));
+    QCOMPARE(sample.physics().rules().laws.timeStep, 1.0 / 60.0);
+    QVERIFY(sample.physics().rules().isAsInDissertation);
+    sample.table().selectRow(static_cast<int>(sample.names().indexOf(QStringLiteral("romanesco 1/960"))));
+    sample.press(sample.button(QStringLiteral("Use")));
+    QCOMPARE(sample.physics().rules().laws.timeStep, 1.0 / 960.0);
+    QVERIFY(!sample.physics().rules().isAsInDissertation);
+    QVERIFY(sample.waitForEnd());
+}
+
+void TestMeasurePane::cancellingKeepsWhatWasThere()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    sample.press(sample.button(QStringLiteral("Measure")));
+    QVERIFY(!sample.button(QStringLiteral("Measure")).isVisible());
+    QVERIFY(sample.button(QStringLiteral("Cancel")).hasFocus());
+    QTest::keyClick(&sample.button(QStringLiteral("Cancel")), Qt::Key_Space);
+    QVERIFY(sample.waitForEnd());
+    QVERIFY(sample.names().isEmpty());
+    QVERIFY(sample.button(QStringLiteral("Measure")).hasFocus());
+    QVERIFY(!sample.button(QStringLiteral("Export")).isEnabled());
+    QVERIFY(!sample.words().contains(QStringLiteral("ancelled")));
+    QVERIFY(sample.measure());
+    QCOMPARE(sample.names(), colliders);
+    // once more, in the middle: all of the last time is still there
+    sample.press(sample.button(QStringLiteral("Measure")));
+    const QProgressBar &bar = sample.named<QProgressBar>(QStringLiteral("How far measuring is"));
+    QVERIFY(QTest::qWaitFor([&] { return bar.value() > 100; }, 60'000));
+    sample.press(sample.button(QStringLiteral("Cancel")));
+    QVERIFY(sample.waitForEnd());
+    QCOMPARE(sample.names(), colliders);
+    sample.show(QStringLiteral("Time step"));
+    QCOMPARE(sample.names().size(), 12);
+}
+
+void TestMeasurePane::theTextIsEditedMeanwhile()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    sample.press(sample.button(QStringLiteral("Measure")));
+    FdoEditor &editor = sample.visibleEditor();
+    editor.setFocus();
+    QTest::keyClick(&editor, Qt::Key_End, Qt::ControlModifier);
+    QTest::keyClicks(&editor, QStringLiteral("o \"cube.obj\" ((4, 0, 0), #, #)"));
+    QVERIFY(sample.waitForEnd());
+    const QString older = QStringLiteral("The figures are of an older text.");
+    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(older); }, 20'000));
+    QVERIFY(sample.words().contains(QStringLiteral("12 faces")));
+    QVERIFY(sample.measure());
+    QVERIFY(!sample.words().contains(older));
+    QVERIFY(sample.words().contains(QStringLiteral("24 faces")));
+    // another text
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("other.sdo"), cube)));
+    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(QStringLiteral("of “scene.sdo”")); }, 20'000));
+}
+
+void TestMeasurePane::errorsLeaveTheLastGoodVersion()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QTest::keyClicks(&sample.visibleEditor(), QStringLiteral("nonsense "));
+    const QString lastGood = QStringLiteral("its last good version");
+    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(lastGood); }, 20'000));
+    QVERIFY(sample.measure());
+    QVERIFY(sample.words().contains(QStringLiteral("12 faces")));
+    QVERIFY(sample.words().contains(lastGood));
+    // where there was none
+    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("bad.fdo"), "nonsense\n")));
+    const QPushButton &measure = sample.button(QStringLiteral("Measure"));
+    QVERIFY(QTest::qWaitFor([&] { return !measure.isEnabled() && sample.words().contains(QStringLiteral("errors")); },
+                            20'000));
+    QVERIFY(measure.toolTip().startsWith(QStringLiteral("There is nothing to measure")));
+}
+
+void TestMeasurePane::whatCannotBeMeasuredIsSaid()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(nowhere));
+    QVERIFY(sample.measure());
+    QVERIFY2(sample.words().contains(QStringLiteral("There is no surface to measure.")), qPrintable(sample.words()));
+    QVERIFY(sample.names().isEmpty());
+    QVERIFY(!sample.button(QStringLiteral("Export")).isEnabled());
+    QVERIFY(!sample.button(QStringLiteral("Export")).toolTip().isEmpty());
+}
+
+void TestMeasurePane::ballsThatFallAreAsked()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    QComboBox &queries = sample.named<QComboBox>(QStringLiteral("Queries"));
+    QCOMPARE(queries.findText(QStringLiteral("balls")), -1);
+    for (QAction *action : sample.window.findChildren<QAction *>()) {
+        if (action->iconText() == QLatin1String("Rain")) {
+            action->trigger();
+        }
+    }
+    const auto *physics = sample.window.findChild<PhysicsController *>();
+    QVERIFY(QTest::qWaitFor([&] { return physics->balls().has_value(); }, 20'000));
+    QCOMPARE(physics->balls()->size(), 100U);
+    QVERIFY(sample.measure());
+    QVERIFY(queries.findText(QStringLiteral("balls")) >= 0);
+    queries.setCurrentText(QStringLiteral("balls"));
+    QVERIFY(sample.words().contains(QStringLiteral("as the balls of the scene ask")));
+    // the radius of those that were dropped: 2 % of a side of 3
+    QVERIFY(sample.words().contains(QStringLiteral("a ball of radius 0.06,"))
+            || sample.words().contains(QStringLiteral("a ball of radius 0.06.")));
+}
+
+void TestMeasurePane::thePageIsWritten()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    QSignalSpy exported(&sample.controller, &MeasureController::exported);
+    const auto exportTo = [&](const QString &file) {
+        sample.press(sample.button(QStringLiteral("Export")));
+        auto *dialog = sample.window.findChild<QFileDialog *>();
+        const QString proposed = dialog->selectedFiles().value(0);
+        Q_EMIT dialog->fileSelected(file);
+        dialog->close();
+        const bool isDone = QTest::qWaitFor([&] { return !exported.isEmpty(); }, 20'000)
+            && QTest::qWaitFor([&] { return !sample.window.findChild<QFileDialog *>(); }, 20'000);
+        return isDone ? proposed : QString();
+    };
+    const QString page = sample.path(QStringLiteral("page.html"));
+    QCOMPARE(exportTo(page), sample.path(QStringLiteral("scene-measured.html")));
+    QVERIFY(exported.takeFirst()[0].toBool());
+    const QByteArray bytes = Sample::read(page);
+    QVERIFY(bytes.startsWith("<!DOCTYPE html>") && bytes.endsWith("</html>\n"));
+    QVERIFY(bytes.contains("scene.sdo"));
+    QCOMPARE(bytes.count("<svg "), 3 * 2 + 2);
+    // where it cannot be
+    (void)exportTo(sample.path(QStringLiteral("no/such/page.html")));
+    QVERIFY(!exported.takeFirst()[0].toBool());
+    QVERIFY2(sample.words().contains(QStringLiteral("was not written: ")), qPrintable(sample.words()));
+    (void)exportTo(page);
+    QVERIFY(!sample.words().contains(QStringLiteral("was not written")));
+}
+
+void TestMeasurePane::coloursAreThoseOfThePalette()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.measure());
+    for (const QColor &base : {QColor(20, 30, 40), QColor(250, 240, 230)}) {
+        QPalette palette = sample.window.palette();
+        palette.setColor(QPalette::Base, base);
+        palette.setColor(QPalette::Text, base.lightness() > 128 ? Qt::black : Qt::white);
+        sample.window.setPalette(palette);
+        const auto corner = [&] { return sample.canvas().grab().toImage().pixelColor(3, 3); };
+        QVERIFY(QTest::qWaitFor([&] { return corner() == base; }, 5'000));
+    }
+}
+
+void TestMeasurePane::anUprightPanelHasAllOneAboveTheOther()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(cube));
+    QVERIFY(sample.table().x() > sample.plot().x());
+    sample.window.addDockWidget(Qt::RightDockWidgetArea, &sample.dock);
+    sample.window.resize(1280, 1000);
+    QVERIFY(QTest::qWaitFor([&] { return sample.panel.width() < sample.panel.height(); }));
+    QVERIFY(QTest::qWaitFor([&] { return sample.table().x() == sample.plot().x(); }));
+    QVERIFY(sample.table().y() > sample.plot().y());
+}
+
+/// Whoever waits for it would wait for seconds.
+void TestMeasurePane::theWindowClosesMeanwhile()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(row, QStringLiteral("row.fdo")));
+    sample.press(sample.button(QStringLiteral("Measure")));
+    const QProgressBar &bar = sample.named<QProgressBar>(QStringLiteral("How far measuring is"));
+    QVERIFY(QTest::qWaitFor([&] { return bar.value() > 0; }, 60'000));
+    QVERIFY(sample.window.close());
+}
+
+int main(int argc, char **argv)
+{
+    return romanesco::test::runWithGl<TestMeasurePane>(argc, argv);
+}
+#include "testmeasurepane.moc"
