@@ -37,7 +37,7 @@ shows it while you type, at any depth; lets balls fall on it; exports it as a
 mesh; and measures what each approximation costs and how far off it is.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libc6 (>= 2.38), libstdc++6 (>= 14), libgcc-s1, libqt6core6t64 (>= 6.5), \
 libqt6gui6 (>= 6.5), libqt6widgets6 (>= 6.5), libqt6opengl6 (>= 6.5), libqt6openglwidgets6 (>= 6.5), \
-libkf6syntaxhighlighting6, libepoxy0, libegl1, libhwy1t64")
+libqt6printsupport6 (>= 6.5), libqcustomplot2.1-qt6, libkf6syntaxhighlighting6, libepoxy0, libegl1, libhwy1t64")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-svg-plugins, qt6-wayland")
 
 set(CPACK_DEBIAN_CORE_PACKAGE_NAME libromanesco-dev)

@@ -109,6 +109,8 @@ void KeyList::addGestures()
     addKey(find, tr("Next match"), tr("Enter"));
     addKey(find, tr("Previous match"), tr("Shift+Enter"));
     addKey(find, tr("Close"), tr("Esc"));
+    QTreeWidgetItem &measured = addGroup(tr("In the table of what was measured"));
+    addKey(measured, tr("Use what is chosen"), tr("Enter, double click"));
     QTreeWidgetItem &picture = addGroup(tr("In the picture"));
     addKey(picture, tr("Turn"), tr("Drag, arrow keys"));
     addKey(picture, tr("Shift"), tr("Right drag, Shift+drag"));

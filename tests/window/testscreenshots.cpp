@@ -4,13 +4,19 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QScreen>
 #include <QSet>
+#include <QSignalSpy>
+#include <QTableView>
 #include <QWindow>
 
 #include "app/window/addresspane.h"
 #include "app/window/ballmodel.h"
 #include "app/window/exportdialog.h"
+#include "app/window/measurecontroller.h"
+#include "app/window/measureview.h"
 #include "app/window/preferences.h"
 #include "editor/completionpopup.h"
 #include "windowsample.h"
@@ -41,6 +47,20 @@ struct Scenery : Sample {
             }
         }
         qFatal("there is no %s", qPrintable(words));
+    }
+
+    /// By the menu.
+    void openPanel(const QString &name) const
+    {
+        for (const QMenu *menu : window.menuBar()->findChildren<QMenu *>()) {
+            for (QAction *action : menu->actions()) {
+                if (menu->title() == QLatin1String("&Window") && action->text() == name) {
+                    action->trigger();
+                    return;
+                }
+            }
+        }
+        qFatal("there is no panel %s", qPrintable(name));
     }
 
     /// All of the screen that the window covers, as PNG where ROMANESCO_SCREENSHOTS names a folder.
@@ -83,6 +103,7 @@ private Q_SLOTS:
     void exporting();
     void scene();
     void physics();
+    void measure();
     void dark();
 };
 
@@ -165,6 +186,23 @@ void TestScreenshots::physics()
     scenery.trigger(QStringLiteral("Play"));
     QVERIFY(scenery.waitForPicture());
     QVERIFY(scenery.keep(QStringLiteral("physics")));
+}
+
+void TestScreenshots::measure()
+{
+    Scenery scenery;
+    QVERIFY(scenery.window.openFile(QStringLiteral(":/examples/tree.fdo")));
+    scenery.drawn = 0;
+    QVERIFY(scenery.waitForPicture());
+    scenery.openPanel(QStringLiteral("Measure"));
+    QSignalSpy finished(scenery.window.findChild<MeasureController *>(), &MeasureController::finished);
+    auto *view = scenery.window.findChild<MeasureView *>();
+    Q_EMIT view->measureRequested();
+    QVERIFY(finished.wait(240'000));
+    auto *table = view->findChild<QTableView *>();
+    table->selectRow(5);
+    QVERIFY(scenery.waitForPicture());
+    QVERIFY(scenery.keep(QStringLiteral("measure")));
 }
 
 void TestScreenshots::dark()

@@ -72,6 +72,7 @@ class TestLiveSimulation : public QObject
 private Q_SLOTS:
     void nothingIsMadeBeforeItIsNeeded();
     void stepsAreThoseOfASimulation();
+    void timeIsTheSumOfItsSteps();
     void itKeepsPaceWithTheClock();
     void itGoesSlowerWhereItCannot();
     void aSceneComesUnderTheBalls();
@@ -122,6 +123,23 @@ void TestLiveSimulation::stepsAreThoseOfASimulation()
     QVERIFY(frame->balls[0].isAsleep);
     const double mass = 4.0 / 3.0 * std::acos(-1.0) * std::pow(ball.radius, 3);
     QVERIFY(std::abs(frame->energy - mass * 9.8 * ball.position.y) < 1e-12);
+}
+
+void TestLiveSimulation::timeIsTheSumOfItsSteps()
+{
+    LiveSimulation live([] { });
+    live.startScene(ballInABox(0.0));
+    makeSteps(live, 3);
+    World::Options rules;
+    rules.laws.timeStep = 1.0 / 30.0;
+    live.setRules(rules);
+    makeSteps(live, 2);
+    QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.stepCount == 5U; }));
+    QVERIFY(std::abs(live.newest()->seconds - (3.0 / 240.0 + 2.0 / 30.0)) < 1e-12);
+    live.reset();
+    live.step();
+    QVERIFY(comesTo(live, [&](const Frame &frame) { return frame.stepCount == 1U; }));
+    QCOMPARE(live.newest()->seconds, 1.0 / 30.0);
 }
 
 void TestLiveSimulation::itKeepsPaceWithTheClock()
