@@ -3,6 +3,7 @@
 #include "figuretable.h"
 
 #include "core/measure/words.h"
+#include "qualitycontrol.h"
 
 namespace romanesco {
 
@@ -94,6 +95,41 @@ FigureTable FigureTable::of(const StepTrial &trial)
              .figures = {figureOf(row.microseconds, 1.0), figureOf(row.queries), figureOf(row.energyMedian),
                          figureOf(row.energyWorst), figureOf(row.landingMedian), figureOf(row.landingWorst),
                          figureOf(row.missed)}});
+    }
+    return table;
+}
+
+FigureTable FigureTable::of(const FrameTrial &trial, FramePlace place)
+{
+    FigureTable table{
+        .nameHead = {tr("Tolerance"), tr("Below how many pixels copies are drawn as one")},
+        .heads = {
+            {tr("ms"), tr("Of a frame that follows another, of one sample a pixel; with the quartiles")},
+            {tr("Copies"), tr("Drawn in such a frame")},
+            {tr("Off by"), tr("What the tolerance alone does, of 255: the root of the mean square of all differences")},
+            {tr("Plainly, %"), tr("Pixels that the tolerance alone puts off by more than 8 of 255, in per cent")},
+            {tr("While moving"), tr("The same as off by, of one sample a pixel: what that leaves jagged, too")},
+            {tr("Bytes"), tr("Buffers, on the graphics card and off it")}}};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const FrameRow &row = trial.rows[i];
+        if (row.place != place) {
+            continue;
+        }
+        Row shown{.number = i,
+                  .name = QString::fromStdString(nameOf(row)),
+                  .reason = QString::fromStdString(row.reason)};
+        if (row.reason.empty()) {
+            shown.figures = {figureOf(row.milliseconds, 1.0),
+                             {QString::fromStdString(grouped(row.cost.copies)), double(row.cost.copies)},
+                             figureOf(row.alone.rms),
+                             figureOf(100.0 * row.alone.share),
+                             figureOf(row.moving.rms),
+                             {QString::fromStdString(grouped(row.cost.bytes)), double(row.cost.bytes)}};
+        }
+        if (row.tolerance < QualityControl::finest) {
+            shown.obstacle = tr("the finest that the quality can be set to is %1 px").arg(QualityControl::finest);
+        }
+        table.rows.push_back(std::move(shown));
     }
     return table;
 }

@@ -33,6 +33,8 @@ public:
         /// Beside the heads; none where there is a reason in their place, a sentence without its end.
         std::vector<Figure> figures = {};
         QString reason = {};
+        /// Why it cannot be used although it was tried, likewise; else empty.
+        QString obstacle = {};
     };
 
     Head nameHead;
@@ -41,6 +43,7 @@ public:
 
     [[nodiscard]] static FigureTable of(const ColliderTrial &trial, QuerySet set);
     [[nodiscard]] static FigureTable of(const StepTrial &trial);
+    [[nodiscard]] static FigureTable of(const FrameTrial &trial, FramePlace place);
 
     /// All of a row, a figure a line.
     [[nodiscard]] QString wordsOf(const Row &row) const;

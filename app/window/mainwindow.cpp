@@ -72,7 +72,8 @@ MainWindow::MainWindow(QWidget *parent)
     , m_viewTools(new ViewTools(m_actions, *m_pane, this))
     , m_physicsActions(*this, m_viewport)
     , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), *this))
-    , m_measure(new MeasureController(m_panels.measure(), *m_physics, m_panels.physics().choices(), *this))
+    , m_measure(
+          new MeasureController(m_panels.measure(), *m_physics, m_panels.physics().choices(), m_pane->quality(), *this))
     , m_pictureActions(
           *this, [this] { return m_viewport.grabFramebuffer(); },
           [this] { return tab().document().isExample() ? QString() : tab().document().path(); })

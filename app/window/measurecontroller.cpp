@@ -19,16 +19,18 @@
 #include "measureview.h"
 #include "physicschoices.h"
 #include "physicscontroller.h"
+#include "qualitycontrol.h"
 #include "texttab.h"
 
 namespace romanesco {
 
 MeasureController::MeasureController(MeasurePane &pane, const PhysicsController &physics, PhysicsChoices &choices,
-                                     QMainWindow &window)
+                                     QualityControl &quality, QMainWindow &window)
     : QObject(&window)
     , m_pane(pane)
     , m_physics(physics)
     , m_choices(choices)
+    , m_quality(quality)
     , m_window(window)
     , m_writing(*this)
     , m_task(*this)
@@ -163,6 +165,10 @@ void MeasureController::use(std::size_t row)
         const StepRow &chosen = steps->rows[row];
         m_choices.setStepping(chosen.timeStep, chosen.isAsInDissertation);
         tell(tr("Balls are stepped by “%1” from now on").arg(QString::fromStdString(nameOf(chosen))));
+    } else if (const auto *frames = m_measured->get<FrameTrial>(m_view->part())) {
+        const FrameRow &chosen = frames->rows[row];
+        m_quality.setTolerance(chosen.tolerance);
+        tell(tr("Pictures are drawn with a tolerance of %1 from now on").arg(QString::fromStdString(nameOf(chosen))));
     }
 }
 

@@ -22,16 +22,17 @@ class MeasurePane;
 class MeasureView;
 class PhysicsChoices;
 class PhysicsController;
+class QualityControl;
 class TextTab;
 
-/// Measures the scene that is seen, in the background, and lets balls fall by what is chosen of it. For the GUI thread.
+/// Measures the scene that is seen, in the background, and lets balls fall and pictures be drawn by what is chosen of it. For the GUI thread.
 class MeasureController : public QObject
 {
     Q_OBJECT
 public:
     /// window owns it; all others must outlive it.
     MeasureController(MeasurePane &pane, const PhysicsController &physics, PhysicsChoices &choices,
-                      QMainWindow &window);
+                      QualityControl &quality, QMainWindow &window);
     /// Waits for what is under way, which hears of it as TrialContext says.
     ~MeasureController() override;
 
@@ -60,6 +61,7 @@ private:
     MeasurePane &m_pane;
     const PhysicsController &m_physics;
     PhysicsChoices &m_choices;
+    QualityControl &m_quality;
     QMainWindow &m_window;
     /// Null until the panel is opened.
     MeasureView *m_view = nullptr;

@@ -3,8 +3,23 @@
 #include "measuredparts.h"
 
 #include "core/physics/scenephysics.h"
+#include "render/headless/sceneframes.h"
 
 namespace romanesco {
+
+namespace {
+
+/// Where nothing can be drawn, the trial says so.
+MeasuredTrial framesOf(const std::shared_ptr<const Scene> &scene, const TrialContext &context)
+{
+    const auto source = SceneFrames::create(scene, FrameTrial::width, FrameTrial::height);
+    if (!source) {
+        return FrameTrial{.reason = source.error()};
+    }
+    return tryFrames(**source, *scene, {}, context);
+}
+
+}
 
 MeasuredTrial measurePart(MeasuredPart part, const MeasuredScene &scene, const TrialContext &context)
 {
@@ -16,9 +31,11 @@ MeasuredTrial measurePart(MeasuredPart part, const MeasuredScene &scene, const T
     case MeasuredPart::Colliders:
         return tryColliders(scene.scene, *balls, {}, context);
     case MeasuredPart::TimeStep:
+        return tryTimeSteps(scene.scene, *balls, {}, context);
+    case MeasuredPart::Rendering:
         break;
     }
-    return tryTimeSteps(scene.scene, *balls, {}, context);
+    return framesOf(scene.scene, context);
 }
 
 std::optional<Measurement> MeasuredParts::measurement() const
@@ -30,6 +47,9 @@ std::optional<Measurement> MeasuredParts::measurement() const
     Measurement all{.source = of.name.toStdString(), .colliders = *colliders};
     if (const auto *steps = get<StepTrial>(MeasuredPart::TimeStep)) {
         all.steps = *steps;
+    }
+    if (const auto *frames = get<FrameTrial>(MeasuredPart::Rendering)) {
+        all.frames = *frames;
     }
     return all;
 }

@@ -17,8 +17,8 @@
 namespace romanesco {
 
 /// What is measured of a scene, each by itself.
-enum class MeasuredPart { Colliders, TimeStep };
-inline constexpr std::array measuredParts{MeasuredPart::Colliders, MeasuredPart::TimeStep};
+enum class MeasuredPart { Colliders, TimeStep, Rendering };
+inline constexpr std::array measuredParts{MeasuredPart::Colliders, MeasuredPart::TimeStep, MeasuredPart::Rendering};
 
 /// What is measured, as it was when that began.
 struct MeasuredScene {
@@ -31,7 +31,7 @@ struct MeasuredScene {
 };
 
 /// What a part came to; the error is a sentence without its end.
-using MeasuredTrial = std::expected<std::variant<ColliderTrial, StepTrial>, std::string>;
+using MeasuredTrial = std::expected<std::variant<ColliderTrial, StepTrial, FrameTrial>, std::string>;
 
 /// Costs seconds; a stop is heard as TrialContext says.
 [[nodiscard]] MeasuredTrial measurePart(MeasuredPart part, const MeasuredScene &scene, const TrialContext &context);

@@ -75,7 +75,7 @@ QWidget *MeasureView::makeControls()
     m_form = new QFormLayout;
     m_form->setHorizontalSpacing(8);
     m_form->setVerticalSpacing(4);
-    makeChoosers(*m_form);
+    makeChoosers();
     m_bar = new QProgressBar;
     m_bar->setRange(0, progressSteps);
     m_bar->setAccessibleName(tr("How far measuring is"));
@@ -112,19 +112,20 @@ void MeasureView::makeButtons()
     connect(m_export, &QPushButton::clicked, this, &MeasureView::exportRequested);
 }
 
-void MeasureView::makeChoosers(QFormLayout &form)
+void MeasureView::makeChoosers()
 {
-    const auto add = [&form](QComboBox *&box, const QString &words, const QString &name, const QString &tip) {
+    const auto add = [this](QComboBox *&box, const QString &words, const QString &name, const QString &tip) {
         box = new QComboBox;
         box->setAccessibleName(name);
         box->setToolTip(tip);
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        form.addRow(words, box);
+        m_form->addRow(words, box);
     };
     add(m_part, tr("Sho&w"), tr("What is shown"), tr("What was tried, each against what is exact"));
     // in the order of MeasuredPart
-    m_part->addItems({tr("Colliders"), tr("Time step")});
-    add(m_set, tr("&Queries"), tr("Queries"), tr("From where the nearest point was asked for"));
+    m_part->addItems({tr("Colliders"), tr("Time step"), tr("Rendering")});
+    add(m_set, tr("&Queries"), tr("From where"),
+        tr("From where the nearest point was asked for, or the scene was drawn"));
     add(m_kind, tr("&Plot"), tr("What is plotted"), tr("What the plot sets against each other"));
     connect(m_part, &QComboBox::currentIndexChanged, this, &MeasureView::showPart);
     connect(m_set, &QComboBox::currentIndexChanged, this, &MeasureView::showPlot);
@@ -176,10 +177,11 @@ void MeasureView::setObstacle(const QString &obstacle)
 {
     m_obstacle = obstacle;
     m_measure->setEnabled(obstacle.isEmpty());
-    m_measure->setToolTip(obstacle.isEmpty()
-                              ? tr("Tries every collider, tolerance and time step on the scene as it is shown, each "
-                                   "against what is exact; editing can go on")
-                              : obstacle);
+    m_measure->setToolTip(
+        obstacle.isEmpty()
+            ? tr("Tries every collider, tolerance, time step and pixel tolerance on the scene as it is shown, each "
+                 "against what is exact; editing can go on")
+            : obstacle);
     showWords();
 }
 
@@ -207,21 +209,31 @@ QuerySet MeasureView::set() const
     return static_cast<QuerySet>(m_set->currentData().toInt());
 }
 
+FramePlace MeasureView::place() const
+{
+    return static_cast<FramePlace>(m_set->currentData().toInt());
+}
+
 /// What there is to choose from depends on the part, and on what was measured of it.
 void MeasureView::showPart()
 {
-    const auto *colliders = m_measured ? m_measured->get<ColliderTrial>(MeasuredPart::Colliders) : nullptr;
-    const QVariant set = m_set->currentData();
+    const QString set = m_set->currentText();
     {
         const QSignalBlocker blocker(m_set);
         m_set->clear();
-        for (const ColliderTrial::Set &queries : colliders ? colliders->sets : std::vector<ColliderTrial::Set>()) {
-            m_set->addItem(QString::fromStdString(std::string(nameOf(queries.queries))),
-                           static_cast<int>(queries.queries));
+        const auto add = [this](auto value) {
+            m_set->addItem(QString::fromUtf8(nameOf(value).data(), qsizetype(nameOf(value).size())), int(value));
+        };
+        if (const auto *colliders = shown<ColliderTrial>()) {
+            std::ranges::for_each(colliders->sets, add, &ColliderTrial::Set::queries);
+        } else if (const auto *frames = shown<FrameTrial>()) {
+            std::ranges::for_each(frames->references, add, &FrameReference::place);
         }
-        m_set->setCurrentIndex(std::max(m_set->findData(set), 0));
+        m_set->setCurrentIndex(std::max(m_set->findText(set), 0));
     }
-    m_form->setRowVisible(m_set, part() == MeasuredPart::Colliders);
+    qobject_cast<QLabel *>(m_form->labelForField(m_set))
+        ->setText(part() == MeasuredPart::Rendering ? tr("&From") : tr("&Queries"));
+    m_form->setRowVisible(m_set, part() != MeasuredPart::TimeStep);
     m_set->setEnabled(m_set->count() > 0);
     showPlot();
 }
@@ -229,14 +241,19 @@ void MeasureView::showPart()
 void MeasureView::showPlot()
 {
     const QString chosen = m_table->currentIndex().siblingAtColumn(0).data().toString();
-    const auto *colliders = m_measured ? m_measured->get<ColliderTrial>(part()) : nullptr;
-    const auto *steps = m_measured ? m_measured->get<StepTrial>(part()) : nullptr;
-    const std::vector<TrialPlot> plots = colliders ? plotsOf(*colliders, set())
-        : steps                                    ? plotsOf(*steps)
-                                                   : std::vector<TrialPlot>();
-    m_figures->setTable(colliders   ? FigureTable::of(*colliders, set())
-                            : steps ? FigureTable::of(*steps)
-                                    : FigureTable());
+    std::vector<TrialPlot> plots;
+    FigureTable table;
+    if (const auto *colliders = shown<ColliderTrial>()) {
+        plots = plotsOf(*colliders, set());
+        table = FigureTable::of(*colliders, set());
+    } else if (const auto *steps = shown<StepTrial>()) {
+        plots = plotsOf(*steps);
+        table = FigureTable::of(*steps);
+    } else if (const auto *frames = shown<FrameTrial>()) {
+        plots = plotsOf(*frames, place());
+        table = FigureTable::of(*frames, place());
+    }
+    m_figures->setTable(std::move(table));
     spanReasons();
     {
         const QSignalBlocker blocker(m_kind);
@@ -276,21 +293,38 @@ void MeasureView::showWords()
         words << m_obstacle;
     } else if (!m_measured) {
         words << tr("Measures on this scene what each way to search for the nearest point costs and how far off it is, "
-                    "and the same of each time step. It takes some seconds, and more where there are many faces.");
+                    "and the same of each time step and pixel tolerance. It takes some seconds, and more where there "
+                    "are many faces.");
     }
     if (!m_remark.isEmpty()) {
         words << m_remark;
     }
     if (trial && !*trial) {
         words << sentence(trial->error());
-    } else if (const auto *colliders = m_measured ? m_measured->get<ColliderTrial>(part()) : nullptr) {
-        const auto shown = std::ranges::find(colliders->sets, set(), &ColliderTrial::Set::queries);
-        words << sentence(romanesco::wordsOf(*colliders));
-        words << (shown == colliders->sets.end() ? QString() : sentence(romanesco::wordsOf(*shown)));
-    } else if (const auto *steps = m_measured ? m_measured->get<StepTrial>(part()) : nullptr) {
-        words << sentence(romanesco::wordsOf(*steps));
     }
-    m_words->setText(words.join(u' '));
+    m_words->setText((words + wordsOfTrial()).join(u' '));
+}
+
+/// What was asked, or drawn.
+QStringList MeasureView::wordsOfTrial() const
+{
+    QStringList words;
+    if (const auto *colliders = shown<ColliderTrial>()) {
+        const auto asked = std::ranges::find(colliders->sets, set(), &ColliderTrial::Set::queries);
+        words << sentence(wordsOf(*colliders));
+        if (asked != colliders->sets.end()) {
+            words << sentence(wordsOf(*asked));
+        }
+    } else if (const auto *steps = shown<StepTrial>()) {
+        words << sentence(wordsOf(*steps));
+    } else if (const auto *frames = shown<FrameTrial>()) {
+        const auto drawn = std::ranges::find(frames->references, place(), &FrameReference::place);
+        words << sentence(wordsOf(*frames));
+        if (drawn != frames->references.end()) {
+            words << sentence(wordsOf(*drawn));
+        }
+    }
+    return words;
 }
 
 /// A reason takes all columns but the first.
@@ -337,8 +371,16 @@ void MeasureView::offerUse()
     }
     const FigureTable::Row &row = m_figures->row(m_sorted->mapToSource(chosen.first()).row());
     m_use->setText(tr("&Use “%1”").arg(row.name));
-    m_use->setEnabled(row.reason.isEmpty());
-    m_use->setToolTip(row.reason.isEmpty() ? tr("From now on balls fall by this (Enter in the table)") : row.reason);
+    const QString why = row.reason.isEmpty() ? row.obstacle : row.reason;
+    m_use->setEnabled(why.isEmpty());
+    m_use->setToolTip(why.isEmpty() ? useTip() : sentence(why.toStdString()));
+}
+
+QString MeasureView::useTip() const
+{
+    return part() == MeasuredPart::Rendering
+        ? tr("Pictures at rest are drawn with this tolerance from now on (Enter in the table)")
+        : tr("Balls fall by this from now on (Enter in the table)");
 }
 
 void MeasureView::use()

@@ -57,7 +57,7 @@ Q_SIGNALS:
 private:
     QWidget *makeControls();
     void makeButtons();
-    void makeChoosers(QFormLayout &form);
+    void makeChoosers();
     QTableView *makeTable();
     void showPart();
     void showPlot();
@@ -66,7 +66,16 @@ private:
     void selectRow(std::size_t row);
     void offerUse();
     void use();
+    /// Null where the part has none, or is none of these.
+    template<typename Trial>
+    [[nodiscard]] const Trial *shown() const
+    {
+        return m_measured ? m_measured->get<Trial>(part()) : nullptr;
+    }
     [[nodiscard]] QuerySet set() const;
+    [[nodiscard]] FramePlace place() const;
+    [[nodiscard]] QStringList wordsOfTrial() const;
+    [[nodiscard]] QString useTip() const;
     /// Of the trial; nothing where none is chosen.
     [[nodiscard]] std::optional<std::size_t> chosenRow() const;
     void spanReasons();
@@ -83,6 +92,7 @@ private:
     QProgressBar *m_bar;
     QFormLayout *m_form;
     QComboBox *m_part;
+    /// Of queries, or places that pictures are drawn from.
     QComboBox *m_set;
     QComboBox *m_kind;
     QPushButton *m_use;
