@@ -53,7 +53,8 @@ TrialPlot plotOf(const StepTrial &trial, const char *title, double StepRow::*err
 
 TrialPlot plotOf(const FrameTrial &trial, FramePlace place, bool isByTime)
 {
-    TrialPlot plot{isByTime ? "time" : "faces", isByTime ? "milliseconds a picture" : "faces a picture", "RMS error by the tolerance alone, of 255"};
+    TrialPlot plot{isByTime ? "time" : "faces", isByTime ? "milliseconds a picture" : "faces a picture",
+                   "RMS error by the tolerance alone, of 255"};
     for (std::size_t i = 0; i < trial.rows.size(); ++i) {
         const FrameRow &row = trial.rows[i];
         if (row.place == place && row.reason.empty()) {
