@@ -6,6 +6,8 @@
 #include <QProcess>
 #include <QTest>
 
+#include "tests/sourcetree.h"
+
 /// Runs the program itself.
 namespace romanesco::test {
 
@@ -47,7 +49,7 @@ inline QByteArray bytesOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("cannot be read");
 }
 
-inline const QString examples = QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/");
+inline const QString examples = test::sourcePath("resources/examples/");
 inline const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 }

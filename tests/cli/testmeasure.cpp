@@ -12,13 +12,14 @@
 #include <QXmlStreamReader>
 
 #include "tests/cli/program.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
 
 namespace {
 
-const QString workloads = QStringLiteral(ROMANESCO_SOURCE_DIR "/tests/data/collide/");
+const QString workloads = test::sourcePath("tests/data/collide/");
 
 QJsonObject jsonOf(const Outcome &outcome)
 {

@@ -11,6 +11,8 @@
 #include <QList>
 #include <QStringList>
 
+#include "tests/sourcetree.h"
+
 namespace romanesco::test {
 
 /// A part of a line that is coloured alike.
@@ -87,7 +89,7 @@ inline QStringList linesOf(const QString &path)
 inline QStringList samples(const QString &language = QStringLiteral("?do"))
 {
     QStringList paths;
-    const QDir folder(QStringLiteral(ROMANESCO_SOURCE_DIR "/tests/golden/highlighting"));
+    const QDir folder(test::sourcePath("tests/golden/highlighting"));
     for (const QString &name : folder.entryList({QStringLiteral("*.") + language}, QDir::Files, QDir::Name)) {
         paths += folder.filePath(name);
     }

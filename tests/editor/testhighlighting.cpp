@@ -8,6 +8,7 @@
 
 #include "editor/syntax.h"
 #include "highlighted.h"
+#include "tests/sourcetree.h"
 
 using namespace romanesco;
 using namespace romanesco::test;
@@ -117,7 +118,7 @@ void TestHighlighting::badDefinitionsWouldHaveSaidSo()
 {
     QFETCH(const QByteArray, good);
     QFETCH(const QByteArray, bad);
-    QByteArray definition = bytesOf(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/syntax/fdo.xml"));
+    QByteArray definition = bytesOf(test::sourcePath("resources/syntax/fdo.xml"));
     QVERIFY(definition.contains(good));
     definition.replace(good, bad).replace("Romanesco Fractal", "Bad");
     const QTemporaryDir folder;

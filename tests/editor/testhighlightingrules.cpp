@@ -11,6 +11,7 @@
 #include <QXmlStreamWriter>
 
 #include "highlighted.h"
+#include "tests/sourcetree.h"
 
 using namespace romanesco::test;
 using KSyntaxHighlighting::Definition;
@@ -20,7 +21,7 @@ namespace {
 
 QString pathOf(const QString &language)
 {
-    return QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/syntax/") + language + QStringLiteral(".xml");
+    return sourcePath("resources/syntax/") + language + QStringLiteral(".xml");
 }
 
 /// One thing done wrong to a definition.

@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/scene/anchor.h"
 #include "core/scene/sceneloader.h"
+#include "tests/sourcetree.h"
 
 namespace romanesco::test {
 
@@ -55,7 +56,7 @@ inline std::shared_ptr<const Scene> sceneOf(const std::string &text,
 /// One that comes with the program, of another depth if there is one given.
 inline std::shared_ptr<const Scene> example(const std::string &name, const std::string &depth = {})
 {
-    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/" + name;
+    const std::filesystem::path path = test::sourcePath("resources/examples/").toStdString() + name;
     const DiskFiles files;
     std::string text = files.read(path).value();
     if (!depth.empty()) {

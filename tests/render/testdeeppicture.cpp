@@ -12,6 +12,7 @@
 #include "drawing.h"
 #include "render/depthpyramid.h"
 #include "render/sceneview.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
@@ -170,7 +171,7 @@ void TestDeepPicture::savedViewsAreTheSamePictures()
 {
     QFETCH(const int, zooms);
     QFETCH(const bool, isPerspective);
-    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/menger.fdo";
+    const std::filesystem::path path = test::sourcePath("resources/examples/menger.fdo").toStdString();
     const DiskFiles files;
     const DepthChange endless(files, DepthChange::endless);
     const std::string text = endless.changed(files.read(path).value());
@@ -207,7 +208,7 @@ void TestDeepPicture::savedViewsAreTheSamePictures()
 
 void TestDeepPicture::aViewWhoseWayIsGoneIsNoView()
 {
-    const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/sierpinski.fdo";
+    const std::filesystem::path path = test::sourcePath("resources/examples/sierpinski.fdo").toStdString();
     const DiskFiles files;
     const std::string text = files.read(path).value();
     SceneView fitted;

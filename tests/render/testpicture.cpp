@@ -7,6 +7,7 @@
 #include <glm/vec3.hpp>
 
 #include "drawing.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 using namespace romanesco;
@@ -205,7 +206,7 @@ private Q_SLOTS:
     /// Appendix B of the dissertation at its printed depth: 172,855,881 copies.
     void appendixBTakesLessThan64MegabytesOfBuffers()
     {
-        const std::filesystem::path path = ROMANESCO_SOURCE_DIR "/resources/examples/appendix-b.fdo";
+        const std::filesystem::path path = test::sourcePath("resources/examples/appendix-b.fdo").toStdString();
         const DiskFiles files;
         const auto text = files.read(path);
         QVERIFY(text);

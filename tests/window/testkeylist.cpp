@@ -5,6 +5,7 @@
 #include <QTreeWidget>
 
 #include "app/window/keylist.h"
+#include "tests/sourcetree.h"
 #include "windowsample.h"
 
 using namespace romanesco;
@@ -136,7 +137,7 @@ void TestKeyList::thePageHasThem()
     const KeyList *list = opened(sample);
     QVERIFY(list);
     const QByteArray expected = pageOf(*list);
-    QFile page(QStringLiteral(ROMANESCO_SOURCE_DIR "/docs/keys.md"));
+    QFile page(test::sourcePath("docs/keys.md"));
     if (qEnvironmentVariableIsSet("ROMANESCO_ACCEPT")) {
         QVERIFY(page.open(QIODevice::WriteOnly) && page.write(expected) == expected.size());
         return;

@@ -11,6 +11,7 @@
 #include "core/formats/fdoreader.h"
 #include "core/formats/sdoreader.h"
 #include "core/text/linemap.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -19,7 +20,7 @@ namespace {
 
 QString folder()
 {
-    return QStringLiteral(ROMANESCO_SOURCE_DIR "/tests/golden/diagnostics");
+    return test::sourcePath("tests/golden/diagnostics");
 }
 
 QByteArray bytesOf(const QString &path)

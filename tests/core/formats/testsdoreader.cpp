@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/text/linemap.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -40,7 +41,7 @@ QList<double> numbers(const glm::dvec3 &vector)
 
 std::string appendixA()
 {
-    QFile file(QStringLiteral(ROMANESCO_SOURCE_DIR "/tests/golden/diagnostics/appendix-a.sdo"));
+    QFile file(test::sourcePath("tests/golden/diagnostics/appendix-a.sdo"));
     return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 

@@ -12,6 +12,7 @@
 #include "core/formats/objreader.h"
 #include "core/fractal/fractalgraph.h"
 #include "tests/core/naive.h"
+#include "tests/sourcetree.h"
 
 /// The examples that come with the program, at any depth.
 namespace romanesco::test {
@@ -22,13 +23,13 @@ struct Sample {
     FractalGraph graph;
 };
 
-const QString examples = QStringLiteral("/resources/examples/");
+const QString examples = QStringLiteral("resources/examples/");
 /// Those of the benchmarks.
-const QString workloads = QStringLiteral("/tests/data/collide/");
+const QString workloads = QStringLiteral("tests/data/collide/");
 
 inline std::string exampleText(const QString &file, const QString &folder = examples)
 {
-    QFile source(QStringLiteral(ROMANESCO_SOURCE_DIR) + folder + file);
+    QFile source(test::sourcePath("") + folder + file);
     return source.open(QIODevice::ReadOnly) ? source.readAll().toStdString() : std::string();
 }
 

@@ -12,6 +12,7 @@
 
 #include "tests/core/fractal/samples.h"
 #include "tests/core/language/textwriter.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -259,7 +260,7 @@ void TestFormatter::aNulDoesNotMove()
 void TestFormatter::examplesAreTidy_data()
 {
     QTest::addColumn<QString>("name");
-    const QDir folder(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples"));
+    const QDir folder(test::sourcePath("resources/examples"));
     for (const QString &name : folder.entryList({QStringLiteral("*.fdo")}, QDir::Files)) {
         if (name != QLatin1String("appendix-b.fdo")) { // as it was printed
             QTest::newRow(qPrintable(name)) << name;

@@ -6,6 +6,7 @@
 
 #include "core/formats/fdoreader.h"
 #include "core/language/renumbering.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -50,7 +51,7 @@ std::vector<std::string> examples()
 {
     std::vector<std::string> texts{
         "v 1 1 1\nv 2 2 2\nv .5 .5 .5\nt.a. (a, #, 3)\nx. \"x.obj\"\n<$>. [t.1] x\n"}; // 2 is not used
-    const QDir folder(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples"));
+    const QDir folder(test::sourcePath("resources/examples"));
     for (const QFileInfo &info : folder.entryInfoList({QStringLiteral("*.fdo")})) {
         QFile file(info.filePath());
         texts.push_back(file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string());

@@ -6,6 +6,7 @@
 
 #include "core/formats/fdoreader.h"
 #include "core/language/stability.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -99,7 +100,7 @@ void TestStability::tells()
 /// At most hints: a warning in a text that is shown to newcomers would be a fault of the text.
 void TestStability::examplesAreStable()
 {
-    const QDir folder(QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples"));
+    const QDir folder(test::sourcePath("resources/examples"));
     for (const QFileInfo &info : folder.entryInfoList({QStringLiteral("*.fdo")})) {
         QFile file(info.filePath());
         QVERIFY(file.open(QIODevice::ReadOnly));

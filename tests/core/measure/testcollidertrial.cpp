@@ -11,6 +11,7 @@
 #include "core/scene/sceneloader.h"
 #include "tests/core/collide/meshes.h"
 #include "tests/core/physics/grounds.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -22,7 +23,7 @@ using Kind = ColliderKind;
 /// One of tests/data/collide, at a depth.
 std::shared_ptr<const Scene> sceneAt(const std::string &name, const std::string &depth)
 {
-    const std::filesystem::path path = std::string(ROMANESCO_SOURCE_DIR "/tests/data/collide/") + name + ".fdo";
+    const std::filesystem::path path = test::sourcePath("tests/data/collide/").toStdString() + name + ".fdo";
     const DiskFiles disk;
     const DepthChange change(disk, depth);
     return SceneLoader(change).load(path, change.changed(disk.read(path).value())).scene;

@@ -7,6 +7,7 @@
 #include "core/scene/sceneloader.h"
 #include "core/scene/summary.h"
 #include "tests/core/fractal/samples.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -19,7 +20,7 @@ std::shared_ptr<const Scene> scene(const QString &name, quint64 depth)
     const DiskFiles files;
     SceneLoader loader(files);
     std::string text = exampleText(name + QStringLiteral(".fdo"));
-    const std::string path = ROMANESCO_SOURCE_DIR "/resources/examples/" + name.toStdString() + ".fdo";
+    const std::string path = test::sourcePath("resources/examples/").toStdString() + name.toStdString() + ".fdo";
     const SourceRange digits = loader.load(path, text).scene->depth->range;
     text.replace(digits.begin, digits.length(), std::to_string(depth));
     return loader.load(path, text).scene;
@@ -111,7 +112,7 @@ void TestExamples::examplesAreFreeOfRemarks_data()
     QTest::addColumn<QString>("path");
     for (const char *name : {"appendix-b.fdo", "menger.fdo", "romanesco.fdo", "sierpinski.fdo", "snowflake.fdo",
                              "terrain.fdo", "terrain.sdo", "tree.fdo", "two-sets.fdo"}) {
-        QTest::newRow(name) << QStringLiteral(ROMANESCO_SOURCE_DIR "/resources/examples/%1").arg(QLatin1String(name));
+        QTest::newRow(name) << test::sourcePath("resources/examples/%1").arg(QLatin1String(name));
     }
 }
 
@@ -164,7 +165,7 @@ void TestExamples::growingIsTold()
     SceneLoader loader(files);
     const auto summaryOf = [&](const char *scale) {
         const std::string text = std::string("s ") + scale + "\nt. (#, #, s)\n<$>. [t] \"cube.obj\"\n";
-        return summarise(*loader.load(ROMANESCO_SOURCE_DIR "/resources/examples/a.fdo", text).scene);
+        return summarise(*loader.load(test::sourcePath("resources/examples/a.fdo").toStdString(), text).scene);
     };
     QVERIFY(summaryOf("0.999 0.999 0.999").isContracting);
     QVERIFY(!summaryOf("0.5 1 0.5").isContracting);
@@ -176,7 +177,7 @@ void TestExamples::growingIsTold()
 void TestExamples::theSceneHasSomethingOfEverything()
 {
     const DiskFiles files;
-    const std::string path = ROMANESCO_SOURCE_DIR "/resources/examples/terrain.sdo";
+    const std::string path = test::sourcePath("resources/examples/terrain.sdo").toStdString();
     const auto island = SceneLoader(files).load(path, files.read(path).value()).scene;
     QVERIFY(island && island->camera && !island->lights.empty());
     using Kind = SceneDescription::Kind;

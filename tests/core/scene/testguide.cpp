@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/scene/sceneloader.h"
+#include "tests/sourcetree.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
@@ -23,7 +24,7 @@ void TestGuide::itsTextsAreFreeOfRemarks_data()
 {
     QTest::addColumn<QString>("kind");
     QTest::addColumn<QString>("text");
-    const QDir docs(QStringLiteral(ROMANESCO_SOURCE_DIR "/docs"));
+    const QDir docs(test::sourcePath("docs"));
     const QRegularExpression fence(QStringLiteral("^```(fdo|sdo)\\n(.*?)^```$"),
                                    QRegularExpression::MultilineOption
                                        | QRegularExpression::DotMatchesEverythingOption);
@@ -44,7 +45,7 @@ void TestGuide::itsTextsAreFreeOfRemarks()
     QFETCH(const QString, kind);
     QFETCH(const QString, text);
     const DiskFiles files;
-    const std::string path = ROMANESCO_SOURCE_DIR "/resources/examples/guide." + kind.toStdString();
+    const std::string path = test::sourcePath("resources/examples/guide.").toStdString() + kind.toStdString();
     const SceneResult result = SceneLoader(files).load(path, text.toStdString());
     for (const Diagnostic &remark : result.diagnostics) {
         QFAIL(remark.message().c_str());
