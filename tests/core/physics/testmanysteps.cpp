@@ -4,12 +4,13 @@
 
 #include "core/physics/world.h"
 #include "tests/core/collide/meshes.h"
+#include "tests/core/physics/longer.h"
 #include "tests/core/physics/referee.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
 
-/// What the laws promise for as long as one likes.
+/// What the laws promise for as long as one likes. The long programme does ten times as much, which the comments tell.
 class TestManySteps : public QObject
 {
     Q_OBJECT
@@ -54,7 +55,7 @@ void TestManySteps::bouncesKeepTheEnergy()
     const auto energy = [&] { return energyOf(ball, laws) + glm::dot(gravity, low); };
     const double before = energy();
     std::uint64_t bounces = 0;
-    while (bounces < 100'000) {
+    while (bounces < std::uint64_t(10'000 * times())) {
         const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
         QVERIFY(!report.isExhausted);
         bounces += report.contacts;
@@ -89,7 +90,7 @@ void TestManySteps::restIsRest()
     QVERIFY(ball.isAsleep);
     const BallState rested = ball;
     for (const bool isWoken : {false, true}) {
-        for (int step = 0; step < 1'000'000; ++step) {
+        for (int step = 0; step < 100'000 * times(); ++step) {
             ball.isAsleep = ball.isAsleep && !isWoken;
             stepBall(ball, laws, ground.probe, laws.timeStep);
             QVERIFY(ball.isAsleep);
@@ -122,7 +123,8 @@ void TestManySteps::lawsHold()
     std::mt19937_64 random(21);
     const Laws laws;
     Referee referee(surface);
-    for (int round = 0; round < 100; ++round) {
+    const int rounds = 10 * times();
+    for (int round = 0; round < rounds; ++round) {
         BallState ball;
         do {
             ball = ballAt(randomPoint(random, 2.4), std::pow(10.0, uniform(random, -4, -0.8)),
@@ -145,7 +147,7 @@ void TestManySteps::lawsHold()
             QVERIFY2(referee.against <= 2e-4, words("against", referee.against));
         }
     }
-    QVERIFY(referee.contacts > 1000);
+    QVERIFY(referee.contacts > 10 * std::uint64_t(rounds));
     QVERIFY(static_cast<double>(referee.exhausted) <= 1e-5 * static_cast<double>(referee.steps));
 }
 
@@ -165,7 +167,7 @@ void TestManySteps::coplanarCopiesDoNotBump()
     const glm::dvec3 n = place.linear * glm::dvec3(0, 1, 0);
     laws.gravity = -9.8 * n;
     std::mt19937_64 random(22);
-    for (int round = 0; round < 300; ++round) {
+    for (int round = 0; round < 30 * times(); ++round) {
         const double radius = std::pow(10.0, uniform(random, -4, 0));
         const double angle = uniform(random, 0, 6.28);
         const double speed = std::pow(10.0, uniform(random, -2, 1.2));
@@ -188,13 +190,14 @@ void TestManySteps::coplanarCopiesDoNotBump()
 /// Five thousand in a box, which fall on one another for two seconds.
 void TestManySteps::thousandsLieOnOneAnother()
 {
-    constexpr int side = 17;
+    const int count = 500 * times();
+    const int side = static_cast<int>(std::lround(std::cbrt(count)));
     constexpr double radius = 0.05;
-    constexpr double half = 1.1 * side * radius;
+    const double half = 1.1 * side * radius;
     Ground ground(boxMesh(half));
     World world(ground.surface, {});
     std::mt19937_64 random(23);
-    for (int i = 0; i < 5000; ++i) {
+    for (int i = 0; i < count; ++i) {
         const glm::dvec3 place(i % side, i / (side * side), i / side % side);
         world.add({2.02 * radius * place + randomPoint(random, 0.005 * radius) - glm::dvec3(half - 1.3 * radius),
                    {},
