@@ -13,9 +13,13 @@
 
 using namespace romanesco;
 using romanesco::test::shareOfDifferent;
-using Sample = romanesco::test::WindowSample;
 
 namespace {
+
+/// Of coarse pictures: it is where from that counts.
+struct Sample : romanesco::test::WindowSample {
+    Sample() { viewport.setPixelTolerance(4.0); }
+};
 
 QAction &action(Sample &sample, const QString &text)
 {
