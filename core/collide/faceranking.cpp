@@ -17,7 +17,6 @@ namespace romanesco {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double greatest = std::numeric_limits<double>::max();
 /// Squares above have all their digits, and those far below are still numbers.
 constexpr double leastSquare = 0x1p-600;
 /// A squared distance to a box is off by 6 roundings at most, its root by 3 and one of its own.

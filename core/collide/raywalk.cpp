@@ -18,7 +18,6 @@ namespace romanesco {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// What a step may put a frame off by, of the numbers that are added: nine products and sums, with a margin.
 constexpr double errorOfStep = 8.0 * epsilon;

@@ -21,7 +21,6 @@ namespace romanesco {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What a step may put a frame off by, of the numbers that are added: nine products and sums.
 constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
 

@@ -461,6 +461,7 @@ private:
                     ",\"extensionsRequired\":[\"EXT_mesh_gpu_instancing\"]";
         }
         std::vector<std::string> roots;
+        roots.reserve(m_nodes.size());
         for (std::size_t i = 0; i < m_nodes.size(); ++i) {
             roots.push_back(std::to_string(i));
         }

@@ -240,7 +240,7 @@ std::optional<DecimalCommas> decimalCommasInVector(LineLexer ahead)
 std::optional<DecimalCommas> decimalCommaInNumber(LineLexer ahead)
 {
     Numbers numbers = numbersOf(ahead);
-    const bool isOne = numbers.gaps.size() >= 1 && numbers.gaps.front() == Numbers::Gap::TightComma;
+    const bool isOne = !numbers.gaps.empty() && numbers.gaps.front() == Numbers::Gap::TightComma;
     if (!isOne) {
         return std::nullopt;
     }

@@ -55,6 +55,7 @@ public:
             }
         }
         std::vector<Box> boxes;
+        boxes.reserve(m_graph.layout().nodeCount());
         for (Node node = 0; node < m_graph.layout().nodeCount(); ++node) {
             boxes.push_back(m_search.box(node).outer);
         }

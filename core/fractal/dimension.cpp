@@ -72,6 +72,7 @@ public:
     [[nodiscard]] double logarithm(double dimension) const
     {
         std::vector<double> sums;
+        sums.reserve(m_sumOfSet.size());
         for (const PowerSum &sum : m_sumOfSet) {
             sums.push_back(sum(dimension));
         }

@@ -180,7 +180,7 @@ std::size_t FractalGraph::memoryUse() const
     for (std::size_t i = 0; i < m_sets.size(); ++i) {
         bytes += m_sets[i].maps.size() * (sizeof(AffineMap) + sizeof(SourceRange) + sizeof(MapFacts) + sizeof(int));
     }
-    return bytes + m_levels.slotCount() * 4 * sizeof(LevelSequence::Slot);
+    return bytes + 4 * sizeof(LevelSequence::Slot) * m_levels.slotCount();
 }
 
 }

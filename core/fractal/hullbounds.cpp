@@ -25,6 +25,7 @@ constexpr double likeBox = 0.02;
 std::vector<glm::dvec3> cornersOf(const Box &box)
 {
     std::vector<glm::dvec3> corners;
+    corners.reserve(8);
     for (int i = 0; i < 8; ++i) {
         corners.emplace_back(i & 1 ? box.greatest.x : box.least.x, i & 2 ? box.greatest.y : box.least.y,
                              i & 4 ? box.greatest.z : box.least.z);

@@ -68,12 +68,10 @@ private:
         const std::string_view letter = m_lexer.take().text;
         if (letter == "c") {
             (void)(readVector() && readVector() && takes(TokenKind::Number) && isHere(Kind::Projection));
-        } else if (letter == "o") {
-            (void)(readPath(".obj") && readTransform());
+        } else if (letter == "o" || letter == "p") {
+            (void)(readPath(".obj") && readTransform()); // for p numbers follow
         } else if (letter == "f") {
             (void)(readPath(".fdo") && readTransform());
-        } else if (letter == "p") {
-            (void)(readPath(".obj") && readTransform()); // then numbers
         } else if (letter == "l") {
             (void)(readVector() && readVector());
         }

@@ -189,6 +189,7 @@ std::optional<WrittenPlace> placeOfItem(const SdoSyntax &scene, std::size_t item
                 place.vectors[part] = openedVector(scene.range(i, vector.range), identity, "(", ")");
             } else {
                 std::vector<SourceRange> ranges;
+                ranges.reserve(3);
                 for (const LineRange &number : vector.numbers) {
                     ranges.push_back(scene.range(i, number));
                 }

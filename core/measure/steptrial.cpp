@@ -206,7 +206,7 @@ std::expected<StepTrial, std::string> tried(const Subject &subject, const StepTr
             }
             context.tell(nameOf(row), static_cast<double>(trial.rows.size()) / (2.0 * stepsASecond.size()));
             tryOne(*surface, places, trial, options.mostOperations, context, row);
-            trial.rows.push_back(std::move(row));
+            trial.rows.push_back(row);
         }
     }
     return context.isStopped() ? std::expected<StepTrial, std::string>(std::unexpect, "cancelled") : std::move(trial);

@@ -160,6 +160,7 @@ void stepIsland(const BallIsland &island, std::span<BallState> balls, std::span<
     const bool isPile = std::ranges::any_of(island.balls, [&](std::size_t ball) { return balls[ball].isPiled; });
     if (!isPile) {
         std::vector<BallState> before;
+        before.reserve(island.balls.size());
         for (const std::size_t ball : island.balls) {
             before.push_back(balls[ball]);
         }

@@ -228,7 +228,7 @@ Anchor::Way Anchor::wayDown(StateTable &table, std::vector<Place> places, const 
     while (!open.empty()) {
         std::vector<Place> next;
         for (const std::size_t from : open) {
-            const Place at = places[from];
+            const Place &at = places[from];
             const StateId state = table.find(at.state);
             const std::vector<Sphere> &bounds = table.childBounds(state);
             std::size_t number = 0;
@@ -316,6 +316,7 @@ std::vector<Anchor::Move> Anchor::follow(const glm::dvec3 &point, double radius)
         return {};
     }
     std::vector<Step> path;
+    path.reserve(other.m_levels.size() + way.steps.size());
     for (const WayLevel &level : other.m_levels) {
         path.push_back(level.step);
     }

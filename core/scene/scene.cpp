@@ -68,6 +68,7 @@ Sphere boundingSphere(const Scene &scene)
         return boundingSphere(scene.items.front());
     }
     std::vector<Sphere> bounds;
+    bounds.reserve(scene.items.size());
     for (const SceneItem &item : scene.items) {
         bounds.push_back(boundingSphere(item));
     }

@@ -25,7 +25,7 @@ public:
     // keys are views of the names
     NameTable(const NameTable &) = delete;
     NameTable &operator=(const NameTable &) = delete;
-    NameTable(NameTable &&) = default;
+    NameTable(NameTable &&) = default; // NOLINT(performance-noexcept-move-constructor): a deque allocates
     NameTable &operator=(NameTable &&) = default;
 
     /// The number of a name, a new one if need be. One look-up in a hash table.
