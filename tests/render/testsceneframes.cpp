@@ -26,7 +26,8 @@ std::unique_ptr<SceneFrames> framesOf(const std::shared_ptr<const Scene> &scene)
     return SceneFrames::create(scene, width, height).value();
 }
 
-FrameTrial tried(const std::shared_ptr<const Scene> &scene, const FrameTrial::Options &options = {.mostSamples = samples})
+FrameTrial tried(const std::shared_ptr<const Scene> &scene,
+                 const FrameTrial::Options &options = {.mostSamples = samples})
 {
     return tryFrames(*framesOf(scene), *scene, options).value();
 }
