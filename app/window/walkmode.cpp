@@ -35,6 +35,11 @@ WalkMode::WalkMode(Viewport &viewport, QObject *parent)
     connect(&m_falling, &QTimer::timeout, this, &WalkMode::fall);
 }
 
+WalkMode::~WalkMode()
+{
+    m_stop.request_stop();
+}
+
 void WalkMode::start()
 {
     m_isOn = true;
@@ -81,9 +86,10 @@ void WalkMode::findSurface()
         return;
     }
     m_finding.start(
-        [scene = m_scene] {
-            return surfaceOf(scene, {}).transform(
-                [](Surface &&surface) { return std::make_shared<const Surface>(std::move(surface)); });
+        [scene = m_scene, stop = m_stop.get_token()] {
+            return surfaceOf(scene, {}, stop).transform([](Surface &&surface) {
+                return std::make_shared<const Surface>(std::move(surface));
+            });
         },
         [this, scene = m_scene](const std::expected<std::shared_ptr<const Surface>, std::string> &found) {
             if (scene != m_scene) {

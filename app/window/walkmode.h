@@ -5,6 +5,7 @@
 #include <expected>
 #include <memory>
 #include <optional>
+#include <stop_token>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -26,6 +27,7 @@ class WalkMode : public QObject
 public:
     /// viewport must outlive it.
     explicit WalkMode(Viewport &viewport, QObject *parent = nullptr);
+    ~WalkMode() override;
 
     void start();
     void stop();
@@ -59,6 +61,8 @@ private:
     /// Runs while it falls.
     QTimer m_falling;
     QElapsedTimer m_sinceFall;
+    /// What is found is wanted no more.
+    std::stop_source m_stop;
     /// Last.
     BackgroundTask<std::expected<std::shared_ptr<const Surface>, std::string>> m_finding;
 };

@@ -36,14 +36,14 @@ private:
 }
 
 ExactCollider::ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, FaceTree tree,
-                             double excess)
+                             double excess, const std::stop_token &stop)
     : m_graph(graph)
     , m_boxes(boxes)
     , m_mesh(mesh)
     , m_tree(std::move(tree))
     , m_faces(mesh)
     , m_excess(excess)
-    , m_hulls(graph, boxes, mesh)
+    , m_hulls(graph, boxes, mesh, stop)
     , m_products(graph)
     , m_inverses(LocalFrames::inverses(graph))
 {
@@ -54,9 +54,15 @@ std::expected<ExactCollider, std::string> ExactCollider::create(const FractalGra
                                                                 const Mesh &mesh, double excess,
                                                                 const std::stop_token &stop)
 {
-    return FaceTree::build(mesh, stop).transform([&](FaceTree &&tree) {
-        return ExactCollider(graph, boxes, mesh, std::move(tree), excess);
-    });
+    auto tree = FaceTree::build(mesh, stop);
+    if (!tree) {
+        return std::unexpected(std::move(tree.error()));
+    }
+    ExactCollider made(graph, boxes, mesh, std::move(*tree), excess, stop);
+    if (stop.stop_requested()) {
+        return std::unexpected("cancelled");
+    }
+    return made;
 }
 
 std::unique_ptr<Search> ExactCollider::search() const

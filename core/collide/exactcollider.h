@@ -55,7 +55,8 @@ public:
     [[nodiscard]] bool usesLocalFrames() const { return m_inverses.has_value(); }
 
 private:
-    ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, FaceTree tree, double excess);
+    ExactCollider(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, FaceTree tree, double excess,
+                  const std::stop_token &stop);
 
     const FractalGraph &m_graph;
     const BoxBounds &m_boxes;

@@ -38,9 +38,10 @@ std::vector<glm::dvec3> cornersOf(const Box &box)
 class HullBounds::Builder
 {
 public:
-    Builder(const FractalGraph &graph, const BoxBounds &boxes)
+    Builder(const FractalGraph &graph, const BoxBounds &boxes, const std::stop_token &stop)
         : m_graph(graph)
         , m_boxes(boxes.ofNodes())
+        , m_stop(stop)
         , m_hulls(graph.layout().nodeCount())
     {
     }
@@ -50,6 +51,9 @@ public:
         m_hulls[BoundLayout::end] = chosenOf(BoundLayout::end, usedVertices(mesh));
         for (const BoundLayout::Stretch &stretch : m_graph.layout().stretches()) {
             for (Node node = stretch.firstOwn; node < stretch.firstOwn + stretch.ownCount; ++node) {
+                if (m_stop.stop_requested()) {
+                    return {};
+                }
                 m_hulls[node] = chosenOf(node, contentOf(node));
                 m_hulls[node].error += outsideOf(node) + rounding(node);
             }
@@ -57,6 +61,9 @@ public:
             if (stretch.entry >= m_hulls.size() || m_hulls[stretch.entry].isEmpty()) {
                 useBox(stretch.entry);
             }
+        }
+        if (m_stop.stop_requested()) {
+            return {};
         }
         std::vector<Hulls> all(m_hulls.size());
         for (Node node = 0; node < m_hulls.size(); ++node) {
@@ -146,7 +153,7 @@ private:
         for (Node node = first; node < end; ++node) {
             m_hulls[node].corners = m_hulls[first - 1].corners;
         }
-        for (int round = 0; round < mostRounds; ++round) {
+        for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
             double moved = 0.0;
             for (Node node = first; node < end; ++node) {
                 Hull hull = chosenOf(node, contentOf(node));
@@ -180,7 +187,7 @@ private:
                 }
             });
         }
-        for (int round = 0; round < mostRounds; ++round) {
+        for (int round = 0; round < mostRounds && !m_stop.stop_requested(); ++round) {
             bool isSettled = true;
             for (Node node = first; node < end; ++node) {
                 double needed = 0.0;
@@ -215,17 +222,18 @@ private:
 
     const FractalGraph &m_graph;
     std::span<const Box> m_boxes;
+    const std::stop_token &m_stop;
     std::vector<Hull> m_hulls;
 };
 
-HullBounds::HullBounds(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh)
+HullBounds::HullBounds(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, const std::stop_token &stop)
 {
     const bool isSmall = graph.layout().nodeCount() <= mostNodes;
     const bool isFinite = std::ranges::all_of(boxes.ofNodes(), [](const Box &box) {
         return !box.isEmpty() && glm::length(box.size()) < 1e100 && glm::length(box.centre()) < 1e100;
     });
     if (isSmall && isFinite) {
-        m_hulls = Builder(graph, boxes).build(mesh);
+        m_hulls = Builder(graph, boxes, stop).build(mesh);
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "boxbounds.h"
@@ -32,8 +33,8 @@ public:
 
     HullBounds() = default;
 
-    /// Cost: some milliseconds a node.
-    HullBounds(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh);
+    /// Cost: some milliseconds a node. Once a stop is requested there are none.
+    HullBounds(const FractalGraph &graph, const BoxBounds &boxes, const Mesh &mesh, const std::stop_token &stop = {});
 
     /// Null where there is none.
     [[nodiscard]] const Hulls *at(const FractalGraph &graph, Position position) const;

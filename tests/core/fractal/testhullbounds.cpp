@@ -68,6 +68,7 @@ private Q_SLOTS:
     void examplesHaveTightHulls();
     void boxesThatAreHullsHaveNone();
     void whatIsTooMuchHasNone();
+    void aStopLeavesNone();
     void errorsOfWhatFollowsCount();
     void sharedHullsHoldTheImagesOfOneAnother_data();
     void sharedHullsHoldTheImagesOfOneAnother();
@@ -209,6 +210,20 @@ void TestHullBounds::whatIsTooMuchHasNone()
     const FractalGraph empty = FractalGraph::ofMesh(none);
     const BoxBounds emptyBoxes(empty, Mesh{});
     QVERIFY(!HullBounds(empty, emptyBoxes, Mesh{}).at(empty, 0));
+}
+
+void TestHullBounds::aStopLeavesNone()
+{
+    Mesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.faces.push_back({0, 1, 2});
+    mesh.faces.push_back({0, 1, 3});
+    const FractalGraph graph = FractalGraph::ofMesh(boundingSphere(mesh));
+    const BoxBounds boxes(graph, mesh);
+    QVERIFY(HullBounds(graph, boxes, mesh).at(graph, 0));
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!HullBounds(graph, boxes, mesh, stop.get_token()).at(graph, 0));
 }
 
 /// A round mesh has more corners than are kept, at each level.
