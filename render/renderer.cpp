@@ -9,7 +9,6 @@
 #include <optional>
 #include <set>
 #include <span>
-#include <tuple>
 
 #include <epoxy/gl.h>
 
@@ -18,8 +17,9 @@
 #include "depthlooks.h"
 #include "glresources.h"
 #include "gpuscene.h"
+#include "sampleplace.h"
 #include "scenecut.h"
-#include "shaders.h"
+#include "shownpicture.h"
 #include "surfaces.h"
 
 namespace romanesco {
@@ -37,23 +37,10 @@ constexpr double roughnessStep = 4.0;
 
 constexpr auto wasReset = "The graphics driver was reset.";
 
-/// Where sample i of n lies in the pixel, from its centre, in pixels: the R2 sequence (Roberts 2018), which covers the
-/// square evenly for every n. The only sample of one is the centre itself.
-std::array<double, 2> samplePlace(int i, int n)
-{
-    if (n == 1) {
-        return {0.0, 0.0};
-    }
-    constexpr double a = 0.7548776662466927;
-    constexpr double b = 0.5698402909980532;
-    const auto fraction = [](double x) { return x - std::floor(x); };
-    return {fraction(0.5 + a * i) - 0.5, fraction(0.5 + b * i) - 0.5};
-}
-
 }
 
 /// A picture is made in passes, one for each sample: the cut is walked and drawn in chunks into `pass`, then the pass
-/// is added to `sum`, unless it is the only one. `sum` keeps the last picture until the first pass of the next one is done.
+/// goes into what is shown.
 class Renderer::Private
 {
 public:
@@ -71,21 +58,9 @@ public:
             return std::unexpected(std::string(wasReset));
         }
         static_cast<void>(ranOutOfMemory()); // of whoever used the context before
-        using Macros = std::vector<const char *>;
-        const std::tuple<GlProgram *, const char *, Macros> programs[] = {
-            {&m_accumulateProgram, shaders::accumulate_frag, {}},
-            {&m_presentProgram, shaders::present_frag, {}},
-            {&m_presentSingleProgram, shaders::present_frag, {"SINGLE"}},
-        };
-        for (const auto &[program, fragment, macros] : programs) {
-            auto made =
-                makeProgram({{GL_VERTEX_SHADER, shaders::fullscreen_vert}, {GL_FRAGMENT_SHADER, fragment, macros}});
-            if (!made) {
-                return std::unexpected(made.error());
-            }
-            *program = std::move(*made);
+        if (auto made = m_shown.make(); !made) {
+            return made;
         }
-        m_emptyArray = makeVertexArray();
         if (auto made = m_surfaces.make(); !made) {
             return made;
         }
@@ -155,39 +130,13 @@ public:
 
     void present(GLuint framebuffer, int width, int height) const
     {
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glViewport(0, 0, width, height);
-        if (m_sumCount == 0) {
-            const std::array<float, 3> &c = m_view.backgroundBottom;
-            glClearColor(c[0], c[1], c[2], 1.0f);
-            glClear(GL_COLOR_BUFFER_BIT);
-            return;
-        }
-        glDisable(GL_DEPTH_TEST);
-        glDisable(GL_BLEND);
-        const bool isSingle = m_shown == &m_single;
-        if (isSingle) {
-            glUseProgram(m_presentSingleProgram);
-        } else {
-            glUseProgram(m_presentProgram);
-            glUniform1f(0, static_cast<float>(m_sumCount));
-        }
-        glUniform3fv(1, 1, m_view.backgroundTop.data());
-        glUniform3fv(2, 1, m_view.backgroundBottom.data());
-        const GLuint texture = isSingle ? m_shown->bytes : m_shown->colour;
-        // Between pixels only where there are others.
-        const bool isScaled = width != m_shown->width || height != m_shown->height;
-        glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
-        glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
-        glBindTextureUnit(0, texture);
-        glBindVertexArray(m_emptyArray);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
+        m_shown.present(framebuffer, width, height, m_view.backgroundTop, m_view.backgroundBottom);
     }
 
     std::expected<void, std::string> presentBalls(GLuint framebuffer, int width, int height,
                                                   std::span<const BallSprite> balls)
     {
-        if (!m_behindBalls || m_sumCount == 0) {
+        if (!m_behindBalls || m_shown.isEmpty()) {
             return {};
         }
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -198,8 +147,11 @@ public:
 
     Picture read(std::span<const BallSprite> balls)
     {
-        auto target = makeTarget(m_shown->width, m_shown->height, GL_RGBA8, false);
-        if (!target || m_sumCount == 0) {
+        if (m_shown.isEmpty()) {
+            return {};
+        }
+        auto target = makeTarget(m_shown.width(), m_shown.height(), GL_RGBA8, false);
+        if (!target) {
             return {};
         }
         present(target->framebuffer, target->width, target->height);
@@ -382,36 +334,11 @@ private:
             keepDepths();
         }
         if (m_view.samples == 1) {
-            // It is the picture.
-            std::swap(m_pass, m_single);
-            m_shown = &m_single;
-            endPass();
+            m_shown.take(m_pass);
+        } else if (const auto added = m_shown.add(m_pass, m_passes == 0); !added) {
+            fail(added.error());
             return;
         }
-        const bool isFirst = m_passes == 0;
-        if (isFirst && (m_sum.width != m_pass.width || m_sum.height != m_pass.height)) {
-            auto target = makeTarget(m_pass.width, m_pass.height, GL_RGBA32F, false);
-            if (!target) {
-                fail(target.error());
-                return;
-            }
-            m_sum = std::move(*target);
-        }
-        glBindFramebuffer(GL_FRAMEBUFFER, m_sum.framebuffer);
-        glViewport(0, 0, m_sum.width, m_sum.height);
-        glDisable(GL_DEPTH_TEST);
-        if (isFirst) {
-            glDisable(GL_BLEND);
-        } else {
-            glEnable(GL_BLEND);
-            glBlendFunc(GL_ONE, GL_ONE);
-        }
-        glUseProgram(m_accumulateProgram);
-        glBindTextureUnit(0, m_pass.colour);
-        glBindVertexArray(m_emptyArray);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glDisable(GL_BLEND);
-        m_shown = &m_sum;
         endPass();
     }
 
@@ -437,7 +364,7 @@ private:
 
     void endPass()
     {
-        m_sumCount = ++m_passes;
+        ++m_passes;
         m_statistics.milliseconds = std::chrono::duration<double, std::milli>(Clock::now() - m_passStart).count();
         m_statistics.instances = m_cut ? m_cut->instanceCount() : 0;
         m_statistics.faces = m_faces;
@@ -461,16 +388,11 @@ private:
     bool m_isDrawn = false;
     /// Times the tolerance; above 1 the pass is for its depth alone.
     double m_roughness = 1.0;
-    int m_sumCount = 0;
     Clock::time_point m_passStart;
     /// Of the pass under way.
     std::uint64_t m_faces = 0;
     DrawStatistics m_statistics;
 
-    GlProgram m_accumulateProgram;
-    GlProgram m_presentProgram;
-    GlProgram m_presentSingleProgram;
-    GlVertexArray m_emptyArray;
     CopyRing m_ring;
     GpuScene m_onCard;
     Surfaces m_surfaces;
@@ -487,10 +409,7 @@ private:
     std::optional<BehindBalls> m_behindBalls;
     BallLayer m_balls;
     Target m_pass;
-    /// The last picture of one sample.
-    Target m_single;
-    Target m_sum;
-    const Target *m_shown = &m_sum;
+    ShownPicture m_shown;
 };
 
 Renderer::Renderer(std::unique_ptr<Private> p)
