@@ -6,16 +6,22 @@
 #include <cstring>
 #include <new>
 #include <print>
+#include <thread>
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QIcon>
+#include <QOffscreenSurface>
+#include <QStyle>
 #include <QSurfaceFormat>
 
 #include "cli/commandline.h"
 #include "cli/output.h"
+#include "editor/syntax.h"
 #include "window/mainwindow.h"
 #include "window/preferences.h"
+#include "window/windowstyle.h"
 
 namespace {
 
@@ -41,6 +47,20 @@ bool hasDisplay()
         || !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
+/// The system's fonts and the definitions for highlighting.
+void readForText()
+{
+    static_cast<void>(QFontDatabase::families());
+    readSyntaxes();
+}
+
+/// The graphics driver, which the window needs as it is shown: before there is any text, while that is read for.
+void loadDriver()
+{
+    QOffscreenSurface surface;
+    surface.create();
+}
+
 /// Without files, what was open when it ended last, or the example.
 int runEditor(int argc, char *argv[], const QStringList &files)
 {
@@ -62,6 +82,9 @@ int runEditor(int argc, char *argv[], const QStringList &files)
         return cli::CannotDo;
     }
 
+    QApplication::setStyle(new WindowStyle(QApplication::style()->name()));
+    const std::jthread reading(readForText);
+    loadDriver();
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/org.romanesco.Romanesco.svg")));
     applyAppearance(Preferences::read().appearance);
     MainWindow window;

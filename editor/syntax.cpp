@@ -18,6 +18,11 @@ KSyntaxHighlighting::Repository &repository()
 
 }
 
+void readSyntaxes()
+{
+    repository();
+}
+
 KSyntaxHighlighting::Definition syntaxFor(const QString &fileName)
 {
     return repository().definitionForFileName(fileName);

@@ -5,13 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include <QElapsedTimer>
-#include <QOpenGLWidget>
-#include <QTimer>
-
 #include "app/drawing/turn.h"
-#include "render/dragtolerance.h"
-#include "render/renderer.h"
+#include "livepicture.h"
 #include "render/sceneview.h"
 #include "surfacefinder.h"
 #include "tooloverlay.h"
@@ -21,9 +16,8 @@ namespace romanesco {
 
 class PointerTool;
 
-/// The picture of a scene, which the mouse and the keyboard look at from all sides (see ViewGestures). Draws in slices,
-/// so that it never holds up the window: coarsely while the camera moves, then finely, then smoothly.
-class Viewport : public QOpenGLWidget
+/// The picture of a scene, which the mouse and the keyboard look at from all sides (see ViewGestures).
+class Viewport : public LivePicture
 {
     Q_OBJECT
 public:
@@ -62,14 +56,9 @@ public:
     /// The copies that a map made of the only item stand out.
     void selectMap(const std::optional<Step> &map);
 
-    /// Of a picture at rest, in pixels of the screen, above 0 (see View::pixelTolerance).
-    void setPixelTolerance(double pixels);
     /// How far from its place a tolerance of one pixel can let anything be drawn, in pixels: more in the corners of a wide
     /// view than in its middle.
     [[nodiscard]] double shiftOfTolerance() const;
-
-    /// Balls over the picture, in place of the scene's own; nothing for these.
-    void setBalls(std::optional<std::vector<BallSprite>> balls);
 
     /// What has the left button and draws over the picture from now on; null for nothing but the view. It must live until
     /// another takes its place.
@@ -99,24 +88,11 @@ public:
 
     [[nodiscard]] const SceneView &view() const { return m_view; }
     /// Whether somebody can have seen anything from there.
-    [[nodiscard]] bool isViewStarted() const { return m_scene && !m_resetsView; }
+    [[nodiscard]] bool isViewStarted() const { return drawnScene() && !m_resetsView; }
     /// Where from, counted from the node that is near (see SceneView).
     [[nodiscard]] const Camera &camera() const { return m_view.camera(); }
-    /// Whether what is seen is the newest scene from the newest view, at its best.
-    [[nodiscard]] bool isPictureFinished() const;
 
 Q_SIGNALS:
-    /// From another place, another scene, or otherwise to be drawn anew.
-    void viewMoved();
-    /// One or more passes over the scene have come into the picture.
-    void pictureAdvanced(const romanesco::DrawStatistics &statistics, double pixelTolerance);
-    void pictureFinished();
-    /// Drawing works from now on. system names the version of OpenGL and what implements it.
-    void ready(const QString &system);
-    /// There can be no pictures on this system; a sentence or two.
-    void unavailable(const QString &reason);
-    /// This picture could not be drawn; another may be. A sentence; empty once one could.
-    void pictureFailed(const QString &reason);
     void projectionChanged(romanesco::Projection projection);
     /// A press and release of the left button in one place, which is not the begin of a drag.
     void clicked(const QPoint &place);
@@ -128,10 +104,9 @@ Q_SIGNALS:
     void toolDismissed();
 
 protected:
-    void initializeGL() override;
-    void paintGL() override;
-    void resizeGL(int width, int height) override;
-    void showEvent(QShowEvent *event) override;
+    [[nodiscard]] View shownView() const override;
+    [[nodiscard]] bool isStartDue() const override { return (m_resetsView || m_followsCamera) && drawnScene(); }
+    void startView() override;
     void enterEvent(QEnterEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
@@ -143,68 +118,15 @@ protected:
     void wheelEvent(QWheelEvent *event) override;
 
 private:
-    /// What a picture is of, the scene apart: equal requests make equal pictures.
-    struct Request {
-        quint64 cameraRevision;
-        int width;
-        int height;
-        /// While the camera moves: as exact as there is time for.
-        bool isCoarse;
-        int samples;
-        /// At rest.
-        double pixelTolerance;
-        bool leavesOutBalls;
-        bool operator==(const Request &) const = default;
-    };
-
+    void takeScene(std::shared_ptr<const Scene> scene);
     void findSurfaces();
     void selectAt(const QPointF &place);
-    [[nodiscard]] bool makeRenderer();
-    void recover();
-    void release();
-    void reportWhetherAvailable();
-    void drawOn();
-    [[nodiscard]] bool hasNothingToDraw() const;
-    void startView();
-    void beginPictureIfDue();
-    void begin(const Request &wanted);
-    [[nodiscard]] bool isNothingSeenYet() const;
-    [[nodiscard]] double drawnFor() const;
-    void announceProgress();
-    void cameraChanged();
-    [[nodiscard]] Request request() const;
-    [[nodiscard]] bool isMoving() const;
-    [[nodiscard]] double aspect() const;
 
-    std::unique_ptr<Renderer> m_renderer;
-    QString m_lack;
-    std::shared_ptr<const Scene> m_scene;
-    bool m_isSceneNew = false;
     bool m_resetsView = false;
     /// The scene's camera was edited: the view goes there, wherever the saved one is.
     bool m_followsCamera = false;
-
     SceneView m_view;
     Appearance m_appearance;
-    std::optional<std::vector<BallSprite>> m_balls;
-    quint64 m_cameraRevision = 0;
-    /// Runs while the camera counts as moving.
-    QTimer m_rest;
-    /// Runs while the picture is not finished.
-    QTimer m_drawing;
-
-    std::optional<Request> m_begun;
-    double m_begunTolerance = 0.0;
-    double m_tolerance = 1.0;
-    QElapsedTimer m_sinceBegun;
-    /// It came from the text.
-    QElapsedTimer m_sinceScene;
-    DragTolerance m_dragTolerance;
-    int m_announcedSamples = 0;
-    bool m_isFinishAnnounced = false;
-    /// How long one pass of the last fine picture took.
-    double m_fineMilliseconds = 0.0;
-
     ViewGestures m_gestures;
     PointerTool *m_tool = nullptr;
     bool m_isToolDragged = false;

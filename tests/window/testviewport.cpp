@@ -100,6 +100,7 @@ class TestViewport : public QObject
 {
     Q_OBJECT
 private Q_SLOTS:
+    void theWindowIsSeenBeforeAnythingIsDrawn();
     void thePictureShowsTheScene();
     void aFinishedPictureRests();
     void anotherSceneIsAnotherPicture();
@@ -124,6 +125,18 @@ private Q_SLOTS:
     void aClickLetsACopyStandOut();
     void appearancesMakeNewPictures();
 };
+
+/// What drawing needs takes a while to make.
+void TestViewport::theWindowIsSeenBeforeAnythingIsDrawn()
+{
+    Sample sample;
+    int swaps = 0;
+    std::optional<int> swapsBefore;
+    connect(&sample.viewport, &Viewport::frameSwapped, &sample.viewport, [&] { ++swaps; });
+    connect(&sample.viewport, &Viewport::ready, &sample.viewport, [&] { swapsBefore = swaps; });
+    QVERIFY(sample.waitForPicture());
+    QVERIFY(swapsBefore && *swapsBefore > 0);
+}
 
 void TestViewport::thePictureShowsTheScene()
 {
