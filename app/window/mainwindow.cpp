@@ -3,26 +3,18 @@
 #include "mainwindow.h"
 
 #include <QCloseEvent>
-#include <QDir>
-#include <QFileDialog>
-#include <QLayout>
-#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
-#include <QStandardPaths>
 #include <QTextBlock>
 #include <QToolBar>
 
 #include "aboutbox.h"
 #include "addresslink.h"
-#include "broughttexts.h"
 #include "core/text/linemap.h"
 #include "depthcontrol.h"
 #include "editor/fdoeditor.h"
-#include "examplegallery.h"
-#include "exportdialog.h"
-#include "exportwords.h"
+#include "filemenu.h"
 #include "keylist.h"
 #include "measurecontroller.h"
 #include "messagestrip.h"
@@ -33,29 +25,16 @@
 #include "physicspane.h"
 #include "preferencesdialog.h"
 #include "problemsview.h"
-#include "recoverydialog.h"
 #include "scenedrop.h"
 #include "statusline.h"
 #include "texttab.h"
 #include "texttabs.h"
-#include "turntabledialog.h"
 #include "viewcontrols.h"
 #include "viewport.h"
 #include "viewportpane.h"
 #include "viewtools.h"
-#include "windowstate.h"
 
 namespace romanesco {
-
-namespace {
-
-QString fileFilter()
-{
-    return MainWindow::tr("Fractals and scenes (*.fdo *.sdo);;Fractals (*.fdo);;Scenes (*.sdo);;Meshes (*.obj);;"
-                          "All files (*)");
-}
-
-}
 
 MainWindow::MainWindow(QWidget *parent)
     : QMainWindow(parent)
@@ -65,6 +44,7 @@ MainWindow::MainWindow(QWidget *parent)
     , m_panels(*this)
     , m_addressLink(new AddressLink(m_panels.address(), m_viewport, this))
     , m_splitter(new QSplitter)
+    , m_layout(*this, *m_splitter, m_panels)
     , m_depthControl(new DepthControl(tr("Depth")))
     , m_status(new StatusLine)
     , m_actions(*this, m_viewport)
@@ -74,20 +54,17 @@ MainWindow::MainWindow(QWidget *parent)
     , m_physics(new PhysicsController(m_physicsActions, m_panels.physics(), m_viewport, m_viewTools->dropper(), *this))
     , m_measure(
           new MeasureController(m_panels.measure(), *m_physics, m_panels.physics().choices(), m_pane->quality(), *this))
-    , m_pictureActions(
-          *this, [this] { return m_viewport.grabFramebuffer(); },
-          [this] { return tab().document().isExample() ? QString() : tab().document().path(); })
-    , m_lostTexts(*this)
+    , m_files(new FileMenu(m_actions, *m_tabs, m_viewport, *this))
 {
     layOut();
     createToolBar();
     createMenus();
-    connectFileActions();
+    connectTexts();
     connectPanels();
     connectViewActions();
     connectViewport();
     setAcceptDrops(true);
-    restoreLayout();
+    m_layout.restore();
     takeTab();
     tab().editor().setFocus();
 }
@@ -119,63 +96,26 @@ void MainWindow::createToolBar()
 void MainWindow::createMenus()
 {
     const WindowActions::OpenMenus menus = m_actions.fill(*menuBar());
-    menus.file->insertActions(menus.endOfFiles,
-                              {m_pictureActions.save(), m_pictureActions.copy(), m_actions.saveTurntable});
+    m_files->fill(menus);
     m_textActions.fillEdit(*menus.edit);
     menus.edit->addSeparator();
     menus.edit->addAction(m_actions.preferences);
     m_textActions.fillGo(*menus.go);
     m_physicsActions.fill(*menus.physics);
     m_textActions.fillView(*menus.view);
-    for (const BroughtText &text : broughtTexts(TextTabs::templatesFolder)) {
-        QAction *action = menus.templates->addAction(text.description.section(u':', 0, 0));
-        action->setStatusTip(text.description);
-        connect(action, &QAction::triggered, this, [this, path = text.path] { m_tabs->startFrom(path); });
-    }
-    connect(menus.recent, &QMenu::aboutToShow, this, [this, menu = menus.recent] { fillRecent(*menu); });
     m_panels.fill(*menus.window);
 }
 
-void MainWindow::fillRecent(QMenu &menu)
+void MainWindow::connectTexts()
 {
-    menu.clear();
-    for (const QString &path : TextTabs::recentFiles()) {
-        const QAction *action = menu.addAction(QDir::toNativeSeparators(path).replace(u'&', QStringLiteral("&&")));
-        connect(action, &QAction::triggered, this, [this, path] { openFile(path); });
-    }
-    if (menu.isEmpty()) {
-        menu.addAction(tr("None yet"))->setEnabled(false);
-    }
-}
-
-void MainWindow::connectFileActions()
-{
-    connect(m_actions.newFile, &QAction::triggered, m_tabs, &TextTabs::startNew);
-    connect(m_actions.open, &QAction::triggered, this, &MainWindow::askForFile);
-    connect(m_actions.examples, &QAction::triggered, this, &MainWindow::showExamples);
-    connect(m_actions.save, &QAction::triggered, m_tabs, &TextTabs::save);
-    connect(m_actions.saveAs, &QAction::triggered, m_tabs, &TextTabs::saveAs);
-    connect(m_actions.reload, &QAction::triggered, this, [this] { tab().document().checkFile(); });
-    connect(m_actions.saveTurntable, &QAction::triggered, this, &MainWindow::saveTurntable);
-    connect(m_actions.exportMesh, &QAction::triggered, this, &MainWindow::exportMesh);
-    const auto sayDone = [this](const QString &words) { m_status->showMessage(words, 5000); };
-    connect(&m_pictureActions, &PictureActions::saved, this,
-            [sayDone](const QString &path) { sayDone(tr("Saved %1").arg(QDir::toNativeSeparators(path))); });
-    connect(&m_pictureActions, &PictureActions::copied, this, [sayDone] { sayDone(tr("The picture is copied")); });
-    connect(&m_pictureActions, &PictureActions::failed, this,
-            [this](const QString &words) { tab().strip().say(words); });
-    connect(m_actions.closeTab, &QAction::triggered, this, [this] { m_tabs->closeTab(m_tabs->currentIndex()); });
+    connect(m_files, &FileMenu::told, m_status, &QStatusBar::showMessage);
     connect(m_actions.nextTab, &QAction::triggered, this, [this] { m_tabs->goToNext(1); });
     connect(m_actions.previousTab, &QAction::triggered, this, [this] { m_tabs->goToNext(-1); });
     const auto goToPart = [this](int step) { m_panels.goToNext({&tab().editor(), &m_viewport}, step); };
     connect(m_actions.nextPart, &QAction::triggered, this, [goToPart] { goToPart(1); });
     connect(m_actions.previousPart, &QAction::triggered, this, [goToPart] { goToPart(-1); });
-    connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_tabs, &TextTabs::currentTabChanged, this, &MainWindow::takeTab);
     connect(m_tabs, &TextTabs::currentNamed, this, &MainWindow::showTitle);
-    connect(m_tabs, &TextTabs::saved, this, [this](const QString &path) {
-        m_status->showMessage(tr("Saved %1").arg(QDir::toNativeSeparators(path)), 3000);
-    });
 }
 
 void MainWindow::connectPanels()
@@ -213,7 +153,7 @@ void MainWindow::connectViewActions()
     connect(m_actions.saveView, &QAction::triggered, this, &MainWindow::saveView);
     connect(m_actions.preferences, &QAction::triggered, this, &MainWindow::showPreferences);
     connect(m_actions.fullScreen, &QAction::toggled, this, &MainWindow::setFullScreen);
-    connect(m_actions.resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    connect(m_actions.resetLayout, &QAction::triggered, this, [this] { m_layout.reset(); });
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeyList(*this); });
     connect(m_actions.about, &QAction::triggered, this, [this] { showAbout(*this, m_graphicsSystem); });
 }
@@ -231,38 +171,6 @@ void MainWindow::connectViewport()
     connect(&m_pane->strip(), &MessageStrip::followed, this, &MainWindow::followTrouble);
 }
 
-void MainWindow::restoreLayout()
-{
-    const WindowState state;
-    if (!restoreGeometry(state.value("geometry").toByteArray())) {
-        resize(1280, 800);
-        m_panels.layOut(); // of the height that there is now
-    }
-    restoreState(state.value("docks").toByteArray());
-    if (!m_splitter->restoreState(state.value("splitter").toByteArray())) {
-        m_splitter->setSizes({500, 780});
-    }
-}
-
-/// As at the first start; the window stays as large as it is.
-void MainWindow::resetLayout()
-{
-    for (QToolBar *bar : findChildren<QToolBar *>()) {
-        bar->show();
-    }
-    m_panels.layOut();
-    layout()->activate(); // what the docks leave is the splitter's
-    m_splitter->setSizes({500, 780});
-}
-
-void MainWindow::saveLayout() const
-{
-    WindowState state;
-    state.setValue("geometry", saveGeometry());
-    state.setValue("docks", saveState());
-    state.setValue("splitter", m_splitter->saveState());
-}
-
 // ---- Files
 
 bool MainWindow::openFile(const QString &path)
@@ -275,14 +183,6 @@ void MainWindow::openExample()
     m_tabs->openFile(TextTabs::examplesFolder + QStringLiteral("/romanesco.fdo"));
 }
 
-void MainWindow::showExamples()
-{
-    auto *gallery = new ExampleGallery(this);
-    gallery->setAttribute(Qt::WA_DeleteOnClose);
-    connect(gallery, &ExampleGallery::chosen, this, &MainWindow::openFile);
-    gallery->open();
-}
-
 bool MainWindow::openSession()
 {
     return Preferences::read().reopensTexts && m_tabs->restore();
@@ -290,83 +190,12 @@ bool MainWindow::openSession()
 
 void MainWindow::offerLostTexts()
 {
-    m_lostTexts.start([files = &m_files] { return std::make_shared<Recovery>(Recovery::search(*files)); },
-                      [this](const std::shared_ptr<Recovery> &found) {
-                          if (!found->texts().empty()) {
-                              showLostTexts(std::move(*found));
-                          }
-                      });
-}
-
-void MainWindow::showLostTexts(Recovery recovery)
-{
-    auto *dialog = new RecoveryDialog(std::move(recovery), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &RecoveryDialog::restoreRequested, this,
-            [this](const LostText &text, bool *isRestored) { *isRestored = m_tabs->restoreLost(text); });
-    dialog->open();
-}
-
-/// Of the text as it is written, however deep the picture goes.
-void MainWindow::exportMesh()
-{
-    const Preview &preview = tab().preview();
-    if (!preview.scene) {
-        tab().strip().say(tr("What has errors cannot be exported."));
-        return;
-    }
-    const Document &document = tab().document();
-    const bool hasPlace = !document.path().isEmpty() && !document.isExample();
-    const QFileInfo text(hasPlace ? document.path() : QDir::home().filePath(document.name()));
-    QStringList files = preview.files;
-    if (hasPlace) {
-        files << document.path();
-    }
-    auto *dialog = new ExportDialog({preview.scene, document.name(), files},
-                                    text.dir().filePath(text.completeBaseName() + QStringLiteral(".obj")), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &ExportDialog::exported, this, [this](const QString &path, quint64 bytes, const QString &remarks) {
-        m_status->showMessage(tr("Exported %1 (%2)").arg(QDir::toNativeSeparators(path), sizeText(Count(bytes))),
-                              10'000);
-        if (!remarks.isEmpty()) {
-            tab().strip().say(remarks);
-        }
-    });
-    dialog->open();
-}
-
-/// Of what is seen, from where it is seen.
-void MainWindow::saveTurntable()
-{
-    const std::optional<Turn> turn = m_viewport.turn();
-    if (!turn) {
-        tab().strip().say(tr("There is no picture yet."));
-        return;
-    }
-    const Document &document = seen().document();
-    const QDir folder = document.hasOwnFile()
-        ? QFileInfo(document.path()).dir()
-        : QDir(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
-    auto *dialog = new TurntableDialog(*turn, folder.filePath(QFileInfo(document.name()).completeBaseName()), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &TurntableDialog::saved, this, [this](int count, const QString &path) {
-        m_status->showMessage(tr("Saved %1 pictures in %2").arg(count).arg(QDir::toNativeSeparators(path)), 10'000);
-    });
-    dialog->open();
+    m_files->offerLostTexts();
 }
 
 bool MainWindow::saveFile(const QString &path)
 {
     return m_tabs->saveFile(path);
-}
-
-void MainWindow::askForFile()
-{
-    const Document &document = tab().document();
-    const QString folder = document.hasOwnFile() ? QFileInfo(document.path()).path() : QString();
-    for (const QString &path : QFileDialog::getOpenFileNames(this, tr("Open"), folder, fileFilter())) {
-        openFile(path);
-    }
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -376,7 +205,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         return;
     }
     m_tabs->remember();
-    saveLayout();
+    m_layout.save();
     event->accept();
 }
 

@@ -6,17 +6,14 @@
 
 #include <QMainWindow>
 
-#include "backgroundtask.h"
 #include "core/text/sourcerange.h"
 #include "core/text/textposition.h"
 #include "editor/textsnapshot.h"
 #include "panels.h"
 #include "physicsactions.h"
-#include "picture.h"
-#include "recovery.h"
-#include "resourcefiles.h"
 #include "textactions.h"
 #include "windowactions.h"
+#include "windowlayout.h"
 
 class QSplitter;
 
@@ -24,6 +21,7 @@ namespace romanesco {
 
 class AddressLink;
 class DepthControl;
+class FileMenu;
 class MeasureController;
 class PhysicsController;
 class StatusLine;
@@ -48,7 +46,7 @@ public:
     void openExample();
     /// What was open when the program ended last; false where that was nothing, or the user would rather not.
     bool openSession();
-    /// Looks in the background for texts that were not saved when the program ended last, and offers them.
+    /// See FileMenu.
     void offerLostTexts();
     /// Writes the text to a file and goes on with that. Where this fails, the window says so.
     bool saveFile(const QString &path);
@@ -63,20 +61,10 @@ private:
     void layOut();
     void createToolBar();
     void createMenus();
-    void connectFileActions();
+    void connectTexts();
     void connectPanels();
     void connectViewActions();
     void connectViewport();
-    void restoreLayout();
-    void resetLayout();
-    void saveLayout() const;
-    void askForFile();
-    void showExamples();
-    void fillRecent(QMenu &menu);
-    void showLostTexts(Recovery recovery);
-    void exportMesh();
-    void saveTurntable();
-
     void takeTab();
     void connectText(TextTab &tab);
     void connectPicture(TextTab &tab);
@@ -107,6 +95,7 @@ private:
     Panels m_panels;
     AddressLink *m_addressLink;
     QSplitter *m_splitter;
+    WindowLayout m_layout;
     DepthControl *m_depthControl;
     StatusLine *m_status;
     WindowActions m_actions;
@@ -115,8 +104,7 @@ private:
     PhysicsActions m_physicsActions;
     PhysicsController *m_physics;
     MeasureController *m_measure;
-    PictureActions m_pictureActions;
-    ResourceFiles m_files;
+    FileMenu *m_files;
 
     TextTab *m_tab = nullptr;
     TextTab *m_seen = nullptr;
@@ -125,9 +113,6 @@ private:
     std::unique_ptr<QObject> m_whileSeen;
     QString m_pictureTrouble;
     QString m_graphicsSystem;
-
-    /// Last: it uses the rest.
-    BackgroundTask<std::shared_ptr<Recovery>> m_lostTexts;
 };
 
 }
