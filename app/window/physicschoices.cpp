@@ -40,17 +40,20 @@ constexpr NamedRestitution materials[] = {
 constexpr int wood = 1;
 
 /// A box for a number; one that is typed counts when it is confirmed.
-QDoubleSpinBox *makeNumber(double least, double greatest, double value, int decimals, const QString &name)
+QDoubleSpinBox *makeNumber(double least, double greatest, double value, int decimals, const QString &name,
+                           const QString &suffix = {})
 {
     auto *box = new QDoubleSpinBox;
-    box->setRange(least, greatest);
     box->setDecimals(decimals);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setValue(value);
     box->setKeyboardTracking(false);
     box->setAccessibleName(name);
     // the least and the greatest number would make it far too wide
-    box->setFixedWidth(80);
+    box->setRange(0.0, 10.0);
+    box->setSuffix(suffix);
+    box->setFixedWidth(box->sizeHint().width());
+    box->setRange(least, greatest);
+    box->setValue(value);
     return box;
 }
 
@@ -162,8 +165,7 @@ void PhysicsChoices::addActions(const PhysicsActions &actions, QAction &drop)
 QWidget *PhysicsChoices::makeRules()
 {
     auto *form = new QFormLayout;
-    m_radius = makeNumber(1e-3, 100.0, 2.0, 3, tr("Radius"));
-    m_radius->setSuffix(tr(" %"));
+    m_radius = makeNumber(1e-3, 100.0, 2.0, 3, tr("Radius"), tr(" %"));
     m_radius->setToolTip(
         tr("Of the balls that are dropped: a share of the scene's size; deep inside, of what is seen"));
     m_colour = new QComboBox;
