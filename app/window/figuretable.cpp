@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #include "figuretable.h"
 
+#include <limits>
+
 #include "core/measure/words.h"
 #include "qualitycontrol.h"
 
@@ -29,6 +31,16 @@ Figure figureOf(const Spread &spread, double unit)
 Figure figureOf(const Share &share)
 {
     return {QString::fromStdString(percent(share)), share.of == 0 ? -1.0 : share.value()};
+}
+
+Figure figureOf(std::size_t count)
+{
+    return {QString::fromStdString(grouped(count)), static_cast<double>(count)};
+}
+
+Figure pixelsOf(double pixels)
+{
+    return {QString::fromStdString(pixelsText(pixels)), pixels};
 }
 
 QString missedTip()
@@ -68,7 +80,7 @@ FigureTable FigureTable::of(const ColliderTrial &trial, QuerySet set)
                              figureOf(row.survey.wrong[1]),
                              figureOf(row.survey.missed),
                              figureOf(row.buildMilliseconds.median),
-                             {QString::fromStdString(grouped(row.bytes)), static_cast<double>(row.bytes)}};
+                             figureOf(row.bytes)};
         }
         table.rows.push_back(std::move(shown));
     }
@@ -119,17 +131,62 @@ FigureTable FigureTable::of(const FrameTrial &trial, FramePlace place)
                   .name = QString::fromStdString(nameOf(row)),
                   .reason = QString::fromStdString(row.reason)};
         if (row.reason.empty()) {
-            shown.figures = {figureOf(row.milliseconds, 1.0),
-                             {QString::fromStdString(grouped(row.cost.copies)), double(row.cost.copies)},
-                             figureOf(row.alone.rms),
-                             figureOf(100.0 * row.alone.share),
-                             figureOf(row.moving.rms),
-                             {QString::fromStdString(grouped(row.cost.bytes)), double(row.cost.bytes)}};
+            shown.figures = {figureOf(row.milliseconds, 1.0),   figureOf(row.cost.copies), figureOf(row.alone.rms),
+                             figureOf(100.0 * row.alone.share), figureOf(row.moving.rms),  figureOf(row.cost.bytes)};
         }
         if (row.tolerance < QualityControl::finest) {
             shown.obstacle = tr("the finest that the quality can be set to is %1 px").arg(QualityControl::finest);
         }
         table.rows.push_back(std::move(shown));
+    }
+    return table;
+}
+
+FigureTable FigureTable::of(const DepthTrial &trial)
+{
+    FigureTable table{
+        .nameHead = {tr("Levels"), tr("How far down the fractal")},
+        .heads = {{tr("Size"), tr("Of what is there, in parts of the scene")},
+                  {tr("Copies"), tr("That are in view there")},
+                  {tr("Float, px"),
+                   tr("How far any of them is from its place on the screen by maps in float, as in the dissertation")},
+                  {tr("Double, px"), tr("The same by maps in double, counted from the world")},
+                  {tr("Local frames, px"), tr("The same by maps that are counted from a place near by, as here")}}};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const DepthRow &row = trial.rows[i];
+        Row shown{.number = i, .name = QString::number(row.depth), .reason = QString::fromStdString(row.reason)};
+        if (row.reason.empty()) {
+            shown.figures = {{QString::fromStdString(sizeText(row)), row.sizeLog10},
+                             figureOf(row.copies),
+                             pixelsOf(row.inFloat),
+                             pixelsOf(row.inDouble),
+                             pixelsOf(row.inFrames)};
+        }
+        table.rows.push_back(std::move(shown));
+    }
+    return table;
+}
+
+FigureTable FigureTable::of(const DigitTrial &trial)
+{
+    FigureTable table{.nameHead = {tr("Numbers"), tr("The digits of each in a file in OBJ")},
+                      .heads = {{tr("Largest error"), tr("Of a vertex, in parts of the scene's diagonal")},
+                                {tr("RMS"), tr("The root of the mean square of all such errors")},
+                                {tr("Collapsed"), tr("Faces of which two corners became one")},
+                                {tr("Flat"), tr("Faces that became flat otherwise")},
+                                {tr("Bytes in all"), tr("Of the file, if all copies were written")},
+                                {tr("ns a face"), tr("To write a face with its vertices; with the quartiles")}}};
+    for (std::size_t i = 0; i < trial.rows.size(); ++i) {
+        const DigitRow &row = trial.rows[i];
+        const double bytes = row.bytes ? row.bytes->log10() : std::numeric_limits<double>::infinity();
+        table.rows.push_back({.number = i,
+                              .name = QString::fromStdString(nameOf(row)),
+                              .figures = {figureOf(row.worst),
+                                          figureOf(row.rms),
+                                          figureOf(row.collapsed),
+                                          figureOf(row.flat),
+                                          {QString::fromStdString(countText(row.bytes)), bytes},
+                                          figureOf(row.nanoseconds, 1.0)}});
     }
     return table;
 }

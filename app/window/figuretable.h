@@ -44,6 +44,8 @@ public:
     [[nodiscard]] static FigureTable of(const ColliderTrial &trial, QuerySet set);
     [[nodiscard]] static FigureTable of(const StepTrial &trial);
     [[nodiscard]] static FigureTable of(const FrameTrial &trial, FramePlace place);
+    [[nodiscard]] static FigureTable of(const DepthTrial &trial);
+    [[nodiscard]] static FigureTable of(const DigitTrial &trial);
 
     /// All of a row, a figure a line.
     [[nodiscard]] QString wordsOf(const Row &row) const;

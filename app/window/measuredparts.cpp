@@ -33,9 +33,13 @@ MeasuredTrial measurePart(MeasuredPart part, const MeasuredScene &scene, const T
     case MeasuredPart::TimeStep:
         return tryTimeSteps(scene.scene, *balls, {}, context);
     case MeasuredPart::Rendering:
+        return framesOf(scene.scene, context);
+    case MeasuredPart::Depth:
+        return tryDepths(*scene.scene, context);
+    case MeasuredPart::Digits:
         break;
     }
-    return framesOf(scene.scene, context);
+    return tryDigits(*scene.scene, {}, context);
 }
 
 std::optional<Measurement> MeasuredParts::measurement() const
@@ -50,6 +54,12 @@ std::optional<Measurement> MeasuredParts::measurement() const
     }
     if (const auto *frames = get<FrameTrial>(MeasuredPart::Rendering)) {
         all.frames = *frames;
+    }
+    if (const auto *depths = get<DepthTrial>(MeasuredPart::Depth)) {
+        all.depths = *depths;
+    }
+    if (const auto *digits = get<DigitTrial>(MeasuredPart::Digits)) {
+        all.digits = *digits;
     }
     return all;
 }

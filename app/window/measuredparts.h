@@ -17,8 +17,9 @@
 namespace romanesco {
 
 /// What is measured of a scene, each by itself.
-enum class MeasuredPart { Colliders, TimeStep, Rendering };
-inline constexpr std::array measuredParts{MeasuredPart::Colliders, MeasuredPart::TimeStep, MeasuredPart::Rendering};
+enum class MeasuredPart { Colliders, TimeStep, Rendering, Depth, Digits };
+inline constexpr std::array measuredParts{MeasuredPart::Colliders, MeasuredPart::TimeStep, MeasuredPart::Rendering,
+                                          MeasuredPart::Depth, MeasuredPart::Digits};
 
 /// What is measured, as it was when that began.
 struct MeasuredScene {
@@ -31,7 +32,8 @@ struct MeasuredScene {
 };
 
 /// What a part came to; the error is a sentence without its end.
-using MeasuredTrial = std::expected<std::variant<ColliderTrial, StepTrial, FrameTrial>, std::string>;
+using MeasuredTrial =
+    std::expected<std::variant<ColliderTrial, StepTrial, FrameTrial, DepthTrial, DigitTrial>, std::string>;
 
 /// Costs seconds; a stop is heard as TrialContext says.
 [[nodiscard]] MeasuredTrial measurePart(MeasuredPart part, const MeasuredScene &scene, const TrialContext &context);

@@ -123,7 +123,7 @@ void MeasureView::makeChoosers()
     };
     add(m_part, tr("Sho&w"), tr("What is shown"), tr("What was tried, each against what is exact"));
     // in the order of MeasuredPart
-    m_part->addItems({tr("Colliders"), tr("Time step"), tr("Rendering")});
+    m_part->addItems({tr("Colliders"), tr("Time step"), tr("Rendering"), tr("Depth"), tr("Export digits")});
     add(m_set, tr("&Queries"), tr("From where"),
         tr("From where the nearest point was asked for, or the scene was drawn"));
     add(m_kind, tr("&Plot"), tr("What is plotted"), tr("What the plot sets against each other"));
@@ -177,11 +177,11 @@ void MeasureView::setObstacle(const QString &obstacle)
 {
     m_obstacle = obstacle;
     m_measure->setEnabled(obstacle.isEmpty());
-    m_measure->setToolTip(
-        obstacle.isEmpty()
-            ? tr("Tries every collider, tolerance, time step and pixel tolerance on the scene as it is shown, each "
-                 "against what is exact; editing can go on")
-            : obstacle);
+    m_measure->setToolTip(obstacle.isEmpty() ? tr("Tries every collider, tolerance, time step, pixel tolerance, depth "
+                                                  "and number of digits on the scene as it "
+                                                  "is shown, each "
+                                                  "against what is exact; editing can go on")
+                                             : obstacle);
     showWords();
 }
 
@@ -233,7 +233,10 @@ void MeasureView::showPart()
     }
     qobject_cast<QLabel *>(m_form->labelForField(m_set))
         ->setText(part() == MeasuredPart::Rendering ? tr("&From") : tr("&Queries"));
-    m_form->setRowVisible(m_set, part() != MeasuredPart::TimeStep);
+    m_form->setRowVisible(m_set, part() == MeasuredPart::Colliders || part() == MeasuredPart::Rendering);
+    m_form->setRowVisible(m_kind, part() != MeasuredPart::Depth);
+    m_plot->setVisible(part() != MeasuredPart::Depth); // it costs the same whatever the depth
+    m_use->setVisible(isOfUse());
     m_set->setEnabled(m_set->count() > 0);
     showPlot();
 }
@@ -252,6 +255,11 @@ void MeasureView::showPlot()
     } else if (const auto *frames = shown<FrameTrial>()) {
         plots = plotsOf(*frames, place());
         table = FigureTable::of(*frames, place());
+    } else if (const auto *depths = shown<DepthTrial>()) {
+        table = FigureTable::of(*depths);
+    } else if (const auto *digits = shown<DigitTrial>()) {
+        plots = plotsOf(*digits);
+        table = FigureTable::of(*digits);
     }
     m_figures->setTable(std::move(table));
     spanReasons();
@@ -292,9 +300,11 @@ void MeasureView::showWords()
     } else if (!m_obstacle.isEmpty()) {
         words << m_obstacle;
     } else if (!m_measured) {
-        words << tr("Measures on this scene what each way to search for the nearest point costs and how far off it is, "
-                    "and the same of each time step and pixel tolerance. It takes some seconds, and more where there "
-                    "are many faces.");
+        words << tr(
+            "Measures on this scene what each way to search for the nearest point costs and how far off it is, "
+            "and the same of each time step and pixel tolerance, of places deep inside, and of the digits of an "
+            "exported file. It takes some seconds, and more where there "
+            "are many faces.");
     }
     if (!m_remark.isEmpty()) {
         words << m_remark;
@@ -323,6 +333,10 @@ QStringList MeasureView::wordsOfTrial() const
         if (drawn != frames->references.end()) {
             words << sentence(wordsOf(*drawn));
         }
+    } else if (const auto *depths = shown<DepthTrial>()) {
+        words << sentence(wordsOf(*depths));
+    } else if (const auto *digits = shown<DigitTrial>()) {
+        words << sentence(wordsOf(*digits));
     }
     return words;
 }
@@ -360,6 +374,12 @@ void MeasureView::selectRow(std::size_t row)
     }
 }
 
+/// Digits are chosen for each export.
+bool MeasureView::isOfUse() const
+{
+    return part() != MeasuredPart::Depth && part() != MeasuredPart::Digits;
+}
+
 void MeasureView::offerUse()
 {
     const QModelIndexList chosen = m_table->selectionModel()->selectedRows();
@@ -372,7 +392,7 @@ void MeasureView::offerUse()
     const FigureTable::Row &row = m_figures->row(m_sorted->mapToSource(chosen.first()).row());
     m_use->setText(tr("&Use “%1”").arg(row.name));
     const QString why = row.reason.isEmpty() ? row.obstacle : row.reason;
-    m_use->setEnabled(why.isEmpty());
+    m_use->setEnabled(why.isEmpty() && isOfUse());
     m_use->setToolTip(why.isEmpty() ? useTip() : sentence(why.toStdString()));
 }
 

@@ -64,6 +64,7 @@ private:
     void showWords();
     void chooseRow();
     void selectRow(std::size_t row);
+    [[nodiscard]] bool isOfUse() const;
     void offerUse();
     void use();
     /// Null where the part has none, or is none of these.

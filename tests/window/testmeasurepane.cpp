@@ -166,6 +166,7 @@ private Q_SLOTS:
     void whatIsNotPossibleIsNotUsed();
     void timeStepsAreUsed();
     void tolerancesAreUsed();
+    void depthsAndDigitsAreShown();
     void cancellingKeepsWhatWasThere();
     void theTextIsEditedMeanwhile();
     void errorsLeaveTheLastGoodVersion();
@@ -393,6 +394,35 @@ void TestMeasurePane::tolerancesAreUsed()
     QCOMPARE(sample.pane.quality().tolerance(), 4.0);
     QVERIFY(sample.said().contains(QStringLiteral("4 px")));
     QVERIFY(sample.cancel());
+}
+
+/// Neither is used by the window from then on.
+void TestMeasurePane::depthsAndDigitsAreShown()
+{
+    MeasureSample sample;
+    QVERIFY(sample.begin(row, QStringLiteral("row.fdo")));
+    QVERIFY(sample.measure());
+    const QPushButton &use = sample.button(QStringLiteral("Use"));
+    QVERIFY(use.isVisible());
+    sample.show(QStringLiteral("Depth"));
+    QCOMPARE(sample.names().size(), qsizetype(trialDepths().size()));
+    for (int i = 0; i < sample.names().size(); ++i) {
+        QCOMPARE(sample.cell(i, 0), QString::number(trialDepths()[static_cast<std::size_t>(i)]));
+        QVERIFY2(sample.cell(i, 5).toDouble() < 0.1, qPrintable(sample.cell(i, 5)));
+    }
+    const int deepest = sample.table().model()->rowCount() - 1;
+    QCOMPARE(sample.cell(deepest, 4), QStringLiteral("not seen"));
+    QVERIFY(!sample.plot().isVisible() && !use.isVisible());
+    sample.table().selectRow(deepest);
+    QTest::keyClick(&sample.table(), Qt::Key_Return);
+    QVERIFY(!sample.said().contains(QStringLiteral("from now on")));
+
+    sample.show(QStringLiteral("Export digits"));
+    QCOMPARE(sample.names().first(), QStringLiteral("3 digits"));
+    QCOMPARE(sample.names().last(), QStringLiteral("shortest"));
+    QVERIFY(sample.cell(0, 1) != QLatin1String("0"));
+    QCOMPARE(sample.cell(sample.table().model()->rowCount() - 1, 1), QStringLiteral("0"));
+    QVERIFY(sample.plot().isVisible() && !use.isVisible());
 }
 
 void TestMeasurePane::cancellingKeepsWhatWasThere()
