@@ -22,7 +22,6 @@ function(romanesco_gui_test folder source platform)
     if(platform STREQUAL xcb)
         set_property(TEST ${folder}.${class} APPEND PROPERTY LABELS display)
     else()
-        add_dependencies(headless_tests ${program})
         # With a display in sight, this platform would find OpenGL on it.
         set_tests_properties(${folder}.${class} PROPERTIES ENVIRONMENT_MODIFICATION "DISPLAY=unset:")
     endif()

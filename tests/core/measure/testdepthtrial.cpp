@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
 
 #include <QTest>
 
@@ -22,11 +23,11 @@ DepthTrial tried(const char *example, std::uint64_t depth)
 }
 
 /// Of three levels, each example once.
-const DepthTrial &triedShallow(const QString &example)
+const DepthTrial &triedShallow(const char *example)
 {
-    static std::map<QString, DepthTrial> trials;
+    static std::map<std::string, DepthTrial> trials;
     const auto found = trials.find(example);
-    return found != trials.end() ? found->second : trials.emplace(example, tried(qPrintable(example), 3)).first->second;
+    return found != trials.end() ? found->second : trials.emplace(example, tried(example, 3)).first->second;
 }
 
 /// What the last digit of the camera's place is worth on the screen, in pixels: it is about 1 from the origin, and twice
@@ -66,7 +67,7 @@ void TestDepthTrial::localFramesHoldAtEveryDepth_data()
 void TestDepthTrial::localFramesHoldAtEveryDepth()
 {
     QFETCH(const QString, example);
-    const DepthTrial &trial = triedShallow(example);
+    const DepthTrial &trial = triedShallow(qPrintable(example));
     QCOMPARE(trial.reason, std::string());
     QCOMPARE(trial.rows.size(), trialDepths().size());
     for (const DepthRow &row : trial.rows) {
@@ -89,7 +90,7 @@ void TestDepthTrial::worldCoordinatesEndWhereTheirDigitsDo_data()
 void TestDepthTrial::worldCoordinatesEndWhereTheirDigitsDo()
 {
     QFETCH(const QString, example);
-    const DepthTrial &trial = triedShallow(example);
+    const DepthTrial &trial = triedShallow(qPrintable(example));
     int looked = 0;
     for (const DepthRow &row : trial.rows) {
         const std::pair<double, double> kinds[]{{row.inFloat, 0x1p-23}, {row.inDouble, 0x1p-52}};
@@ -107,7 +108,7 @@ void TestDepthTrial::worldCoordinatesEndWhereTheirDigitsDo()
 
 void TestDepthTrial::whereLevelsEndTheWholeFollows()
 {
-    const DepthTrial &shallow = triedShallow(QStringLiteral("menger"));
+    const DepthTrial &shallow = triedShallow("menger");
     const DepthTrial deep = tried("menger", 3 * 1001);
     for (std::size_t i = 0; i < deep.rows.size(); ++i) {
         QCOMPARE(shallow.rows[i].copies, deep.rows[i].copies);
