@@ -308,14 +308,11 @@ void TestDeepPicture::whatIsLeftOutIsNotSeen()
 
 void TestDeepPicture::denseScenesAreCheap()
 {
-    const auto scene = example("menger.fdo", "4");
+    const auto scene = example("menger.fdo", "5");
     SceneView from;
     from.setScene(scene);
     from.start(double(width) / height);
     View view = viewOf(from);
-    // a copy is as large as in a larger picture of more levels
-    view.width = width / 3;
-    view.height = height / 3;
     const auto sentFor = [&] {
         draw(scene, view);
         return m_renderer->statistics().instances;

@@ -444,7 +444,6 @@ void TestViewport::theWheelGoesIntoTheSurface()
 {
     QFETCH(const Projection, projection);
     Sample sample;
-    sample.viewport.setPixelTolerance(4.0); // inside, copies by the hundred thousand are a pixel wide
     sample.viewport.setScene(deepScene());
     sample.viewport.resetView();
     QVERIFY(sample.waitForPicture());

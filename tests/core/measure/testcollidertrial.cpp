@@ -44,7 +44,7 @@ const ColliderRow &rowOf(const ColliderTrial &trial, Kind kind, QuerySet queries
 /// A turned tree, tried once for all.
 const ColliderTrial &triedTree()
 {
-    static const ColliderTrial trial = tried(sceneAt("rotated-tree", "4"));
+    static const ColliderTrial trial = tried(sceneAt("rotated-tree", "5"));
     return trial;
 }
 
