@@ -232,7 +232,6 @@ void TestPhysics::deepInsideBallsAreAsSmallAsWhatIsSeen()
     QVERIFY(example.open(QIODevice::ReadOnly));
     QByteArray text = "# view: in 0: 0.9*50 at (0.2, 0.7, -9) (0, 0, 0) 40 perspective\n" + example.readAll();
     text.replace("<$>. sponge 4", "<$>. sponge 54");
-    sample.viewport.setPixelTolerance(8.0); // of the sponge, not of balls
     QVERIFY(sample.openAndWait(sample.write(QStringLiteral("deep.fdo"), text)) && sample.focusViewport());
     QVERIFY(sample.viewport.view().surroundings()->unitExponent < -75.0);
     sample.press(Qt::Key_B);
