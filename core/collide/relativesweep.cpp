@@ -20,7 +20,8 @@ RelativeSweep::Frame RelativeSweep::begin(const Path &path, const Box &box)
 {
     m_start = path.start;
     m_sphere = path.sphere;
-    m_reach = reachOf(path, parallelepiped(m_worldFromModel, box).box());
+    const AffineMap seen{m_worldFromModel.linear, m_worldFromModel.translation - m_start};
+    m_reach = reachFromStart(path, parallelepiped(seen, box).box());
     Frame frame{m_frames.begin({.p = path.start}, box)};
     frame.at.error += errorOfWays * m_reach;
     return frame;

@@ -27,6 +27,18 @@ double sumOfSizes(const glm::dvec3 &v)
     return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
 }
 
+double farthestIn(const Box &box)
+{
+    return sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
+}
+
+/// What is so far away is touched on a way that is no longer than that and the radius, or not at all.
+double reachWithin(const Path &path, double far)
+{
+    const double radius = path.sphere.radius;
+    return far + radius + std::min(path.length, far + radius);
+}
+
 [[maybe_unused]] bool isOfNumbers(const glm::dvec3 &v)
 {
     return std::isfinite(v.x + v.y + v.z) && largest(v) <= greatestCoordinate;
@@ -97,12 +109,12 @@ void FirstTouch::report(const Sweep &sweep, Touch &touch) const
 
 double reachOf(const Path &path, const Box &box)
 {
-    if (box.isEmpty()) {
-        return 0.0;
-    }
-    const double far = sumOfSizes(path.start) + sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
-    const double radius = path.sphere.radius;
-    return far + radius + std::min(path.length, far + radius);
+    return box.isEmpty() ? 0.0 : reachWithin(path, sumOfSizes(path.start) + farthestIn(box));
+}
+
+double reachFromStart(const Path &path, const Box &seen)
+{
+    return seen.isEmpty() ? 0.0 : reachWithin(path, farthestIn(seen));
 }
 
 void touchPoint(const glm::dvec3 &point, const MovingSphere &sphere, double limit, SweptFace &found)

@@ -68,6 +68,8 @@ constexpr double errorOfWays = 16.0 * std::numeric_limits<double>::epsilon();
 /// Bounds the coordinates that count while a path may touch what is in a box, seen from anywhere there: the start, the
 /// box, the radius, and the way.
 [[nodiscard]] double reachOf(const Path &path, const Box &box);
+/// The same where all is seen from the start, the box too.
+[[nodiscard]] double reachFromStart(const Path &path, const Box &seen);
 
 /// Of what is no more than a point, seen from the start: no face.
 void touchPoint(const glm::dvec3 &point, const MovingSphere &sphere, double limit, SweptFace &found);

@@ -31,6 +31,9 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// What a map may put a point off by, of the numbers that are added: nine products and sums, with factors that are rounded.
 constexpr double errorOfMap = 8.0 * epsilon;
+/// What a similarity may put a length off by, of itself, that it brings to another scale: similarityOf() lets angles
+/// change by 1e-14.
+constexpr double errorOfScale = 64.0 * epsilon;
 /// Where lengths change by more, the squares of what is far away might be no numbers.
 constexpr double mostScale = 1e10;
 
@@ -65,11 +68,26 @@ double distanceToBox(const glm::dvec3 &p, const Box &box)
     return glm::length(glm::max(glm::max(box.least - p, p - box.greatest), glm::dvec3(0.0))) * (1.0 - 4.0 * epsilon);
 }
 
-/// Never more than it is.
+/// Never more than it is. What counts is how large numbers are as seen from the start, which both may be far from.
 double wayToPlaced(const Path &path, const Box &box)
 {
-    const MovingSphere grown{path.sphere.direction, path.sphere.radius + errorOfWays * reachOf(path, box)};
-    return wayToBox({box.least - path.start, box.greatest - path.start}, grown);
+    const Box seen{box.least - path.start, box.greatest - path.start};
+    return wayToBox(seen, {path.sphere.direction, path.sphere.radius + errorOfWays * reachFromStart(path, seen)});
+}
+
+/// A point of the world in a model. What is taken back first is where the model's origin stands: p - t is not rounded, or
+/// once, so that the point is as exact as if both were near the world's origin.
+///
+/// With d = |p - t|, its coordinates added up, and u = 2^-53, it is off, in the world's unit, by 1 u·d for p - t; by 3 u·d
+/// for three products and two sums, as the columns of a similarity of scale 1 have length 1; and by 8.3 u·d for the
+/// columns of the inverse (cofactors 2.2, the determinant 5.2, the quotient 1). errorOfMap is 16 u.
+glm::dvec3 modelFromWorld(const Similarity &worldFromModel, const glm::dvec3 &p)
+{
+    return worldFromModel.inverse.linear * (p - worldFromModel.map.translation);
+}
+double errorInModel(const Similarity &worldFromModel, const glm::dvec3 &p)
+{
+    return errorOfMap * sumOfSizes(p - worldFromModel.map.translation);
 }
 
 /// Of places that queries can be taken out of.
@@ -380,13 +398,13 @@ void SceneSearch::searchItem(const SceneCollider::Placed &placed, const Query &q
 void SceneSearch::searchModel(Search &search, const Similarity &worldFromModel, const Query &query)
 {
     const auto &[map, inverse, scale] = worldFromModel;
-    const double error = errorOfMap * (sumOfSizes(query.p) + scale * sumOfSizes(inverse.translation));
+    const double error = errorInModel(worldFromModel, query.p);
     Query inModel = query;
-    inModel.p = inverse(query.p);
+    inModel.p = modelFromWorld(worldFromModel, query.p);
     inModel.motion = query.motion.transform([&](const glm::dvec3 &motion) { return inverse.linear * motion * scale; });
-    inModel.radius = (query.radius + error) / scale * (1.0 + 4.0 * epsilon);
+    inModel.radius = (query.radius + error) / scale * (1.0 + errorOfScale);
     search.closest(inModel, m_ofItem);
-    m_ofItem.lower = std::max(m_ofItem.lower * scale * (1.0 - 4.0 * epsilon) - error, 0.0);
+    m_ofItem.lower = std::max(m_ofItem.lower * scale * (1.0 - errorOfScale) - error, 0.0);
     if (m_ofItem.isFound()) {
         m_ofItem.distance = std::min(m_ofItem.distance * scale, query.radius); // farther by rounding alone
     }
@@ -449,12 +467,14 @@ void SceneSearch::sweepItem(const SceneCollider::Placed &placed, const Sweep &sw
     }
     const auto &[map, inverse, scale] = *placed.worldFromModel;
     const Path path(sweep);
-    const double reach = std::min(reachOf(path, placed.box), SceneCollider::farthest); // the box may be infinite
-    const double error = errorOfMap * (reach + scale * sumOfSizes(inverse.translation));
+    const Box seen{placed.box.least - sweep.p, placed.box.greatest - sweep.p};
+    const double reach = std::min(reachFromStart(path, seen), SceneCollider::farthest); // the box may be infinite
+    // where it starts, and what its direction puts it off by on the way
+    const double error = errorInModel(*placed.worldFromModel, sweep.p) + errorOfMap * reach;
     Sweep inModel = sweep;
-    inModel.p = inverse(sweep.p);
+    inModel.p = modelFromWorld(*placed.worldFromModel, sweep.p);
     inModel.v = inverse.linear * sweep.v;
-    inModel.radius = (sweep.radius + error) / scale * (1.0 + 4.0 * epsilon);
+    inModel.radius = (sweep.radius + error) / scale * (1.0 + errorOfScale);
     search.sweep(inModel, m_touchOfItem);
     m_touchOfItem.point = map(m_touchOfItem.point);
     m_touchOfItem.direction = glm::normalize(map.linear * m_touchOfItem.direction / scale);
