@@ -10,6 +10,7 @@
 
 #include <glm/common.hpp>
 
+#include "core/geometry/sizes.h"
 #include "core/geometry/triangledistance.h"
 #include "nearest.h"
 
@@ -19,11 +20,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t mostBlocks = blocksFor(LeafFaces::most);
-
-double largest(const glm::dvec3 &v)
-{
-    return std::max({v.x, v.y, v.z});
-}
 
 /// Distances of faces that are not ahead become infinite, as far as they are looked at.
 std::size_t nearestAhead(std::span<double> distances, double limit, const glm::dvec3 &p,
@@ -161,14 +157,14 @@ void LeafFaces::sweep(const AffineMap &map, const MovingSphere &sphere, double f
 
 double LeafFaces::reachFrom(const glm::dvec3 &p) const
 {
-    return largest(glm::max(glm::abs(p - m_box.least), glm::abs(m_box.greatest - p)));
+    return greatestSize(glm::max(glm::abs(p - m_box.least), glm::abs(m_box.greatest - p)));
 }
 
 double LeafFaces::reachOf(const AffineMap &map) const
 {
     const glm::dvec3 half = 0.5 * m_box.size();
-    return largest(glm::abs(map(m_box.centre())) + glm::abs(map.linear[0]) * half.x + glm::abs(map.linear[1]) * half.y
-                   + glm::abs(map.linear[2]) * half.z);
+    return greatestSize(glm::abs(map(m_box.centre())) + glm::abs(map.linear[0]) * half.x
+                        + glm::abs(map.linear[1]) * half.y + glm::abs(map.linear[2]) * half.z);
 }
 
 Triangle LeafFaces::placedTriangle(const AffineMap &map, std::size_t face) const

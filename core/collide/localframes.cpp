@@ -14,6 +14,7 @@
 
 #include "childhulls.h"
 #include "core/geometry/similarity.h"
+#include "core/geometry/sizes.h"
 #include "nearest.h"
 
 namespace romanesco {
@@ -22,11 +23,6 @@ namespace {
 
 /// What a step may put p off by, of the numbers that are added: nine products and sums, with factors that are rounded.
 constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
-
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
 
 }
 
@@ -143,7 +139,7 @@ double LocalFrames::apart(const Frame &one, const Frame &other, const Box &box)
     if (one.motion != other.motion) {
         return std::numeric_limits<double>::infinity();
     }
-    const double farthest = sumOfSizes(one.p) + sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
+    const double farthest = sumOfSizes(one.p) + sumOfSizes(box);
     return glm::distance(one.p, other.p) * other.unit + farthest * std::abs(one.unit - other.unit);
 }
 

@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 
+#include "core/geometry/sizes.h"
 #include "nearest.h"
 
 namespace romanesco {
@@ -29,16 +30,6 @@ constexpr double beyondBound = 0.1 + 1e-6;
 constexpr double beyondContent = 2.1 + 1e-6;
 constexpr double greatestCoordinate = 1e150;
 constexpr std::size_t mostBytesOfStates = 64'000'000;
-
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-double greatestSize(const glm::dvec3 &v)
-{
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
 
 /// Not of what is NaN.
 [[maybe_unused]] bool areComputable(const glm::dvec3 &v)

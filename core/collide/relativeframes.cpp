@@ -14,6 +14,7 @@
 #include <glm/matrix.hpp>
 
 #include "childhulls.h"
+#include "core/geometry/sizes.h"
 #include "core/geometry/triangledistance.h"
 #include "nearest.h"
 
@@ -23,16 +24,6 @@ namespace {
 
 /// What a step may put a frame off by, of the numbers that are added: nine products and sums.
 constexpr double errorOfStep = 8.0 * std::numeric_limits<double>::epsilon();
-
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-double reachOf(const Box &box)
-{
-    return sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
-}
 
 std::array<glm::dvec3, 3> halfEdges(const glm::dmat3 &linear, const Box &box)
 {
@@ -67,7 +58,7 @@ RelativeFrames::Frame RelativeFrames::begin(const Query &query, const Box &all)
     m_motion = query.motion;
     const AffineMap map{m_worldFromModel.linear, m_worldFromModel.translation - m_p};
     // as of a step with one map
-    const double error = errorOfStep * (sumOfSizes(map.translation) + m_norm * reachOf(all));
+    const double error = errorOfStep * (sumOfSizes(map.translation) + m_norm * sumOfSizes(all));
     return {.map = map, .norm = m_norm, .error = error};
 }
 
@@ -82,7 +73,7 @@ RelativeFrames::Children RelativeFrames::boundsOf(std::span<const DescentStep> c
         const double norm = step.isToMesh() ? 1.0 : m_graph.facts(step.set)[step.map].norm;
         put(result.boxes[i / laneCount], i % laneCount, map(box.centre()), halfEdges(map.linear, box));
         result.farthest = std::max(result.farthest, sumOfSizes(map.translation));
-        result.reach = std::max(result.reach, norm * reachOf(box));
+        result.reach = std::max(result.reach, norm * sumOfSizes(box));
     }
     result.hulls = hullsOf(children, states);
     return result;

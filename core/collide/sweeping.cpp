@@ -9,6 +9,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/geometry/sizes.h"
+
 namespace romanesco {
 
 namespace {
@@ -16,21 +18,6 @@ namespace {
 constexpr double greatestCoordinate = 1e150;
 constexpr double slackOfRadius = 1e-5;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double largest(const glm::dvec3 &v)
-{
-    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
-double farthestIn(const Box &box)
-{
-    return sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
-}
 
 /// What is so far away is touched on a way that is no longer than that and the radius, or not at all.
 double reachWithin(const Path &path, double far)
@@ -41,7 +28,7 @@ double reachWithin(const Path &path, double far)
 
 [[maybe_unused]] bool isOfNumbers(const glm::dvec3 &v)
 {
-    return std::isfinite(v.x + v.y + v.z) && largest(v) <= greatestCoordinate;
+    return std::isfinite(v.x + v.y + v.z) && greatestSize(v) <= greatestCoordinate;
 }
 
 }
@@ -54,7 +41,7 @@ Path::Path(const Sweep &sweep)
     assert(isOfNumbers(sweep.p) && isOfNumbers(sweep.v) && "nothing is touched on a way that is nowhere");
     assert(sweep.radius >= 0.0 && sweep.radius <= greatestCoordinate && "a sphere has a size, or is a point");
     assert(sweep.time >= 0.0 && "it does not move back");
-    const double size = largest(sweep.v); // scaled, since squares of small numbers underflow
+    const double size = greatestSize(sweep.v); // scaled, since squares of small numbers underflow
     if (size > 0.0 && sweep.time > 0.0) {
         const glm::dvec3 scaled = sweep.v / size;
         speed = size * glm::length(scaled);
@@ -109,12 +96,12 @@ void FirstTouch::report(const Sweep &sweep, Touch &touch) const
 
 double reachOf(const Path &path, const Box &box)
 {
-    return box.isEmpty() ? 0.0 : reachWithin(path, sumOfSizes(path.start) + farthestIn(box));
+    return box.isEmpty() ? 0.0 : reachWithin(path, sumOfSizes(path.start) + sumOfSizes(box));
 }
 
 double reachFromStart(const Path &path, const Box &seen)
 {
-    return seen.isEmpty() ? 0.0 : reachWithin(path, farthestIn(seen));
+    return seen.isEmpty() ? 0.0 : reachWithin(path, sumOfSizes(seen));
 }
 
 void touchPoint(const glm::dvec3 &point, const MovingSphere &sphere, double limit, SweptFace &found)

@@ -9,6 +9,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/geometry/sizes.h"
+
 namespace romanesco {
 
 namespace {
@@ -18,18 +20,13 @@ using Node = BoundLayout::Node;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 /// As glm::length(), but squares neither underflow nor overflow.
 double lengthOf(const glm::dvec3 &v)
 {
     if (const double square = glm::dot(v, v); square > 1e-280 && square < 1e280) {
         return std::sqrt(square);
     }
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    const double largest = greatestSize(v);
     return largest > 0.0 ? largest * glm::length(v / largest) : 0.0;
 }
 

@@ -20,6 +20,7 @@
 #include "core/collide/simplecollider.h"
 #include "core/collide/sweeping.h"
 #include "core/collide/writtenout.h"
+#include "core/geometry/sizes.h"
 
 namespace romanesco {
 
@@ -44,11 +45,6 @@ Held held(std::expected<Kind, std::string> &&collider)
         [](Kind &&made) -> std::shared_ptr<const Collider> { return std::make_shared<const Kind>(std::move(made)); });
 }
 
-double sumOfSizes(const glm::dvec3 &v)
-{
-    return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-}
-
 /// Round what a map makes of a box, rounding included; infinite where that is no number.
 Box placedBox(const AffineMap &map, const Box &box)
 {
@@ -56,8 +52,7 @@ Box placedBox(const AffineMap &map, const Box &box)
     const glm::dvec3 half = 0.5 * box.size();
     const glm::dmat3 &linear = map.linear;
     glm::dvec3 reach = glm::abs(linear[0]) * half.x + glm::abs(linear[1]) * half.y + glm::abs(linear[2]) * half.z;
-    const double far = sumOfSizes(glm::max(glm::abs(box.least), glm::abs(box.greatest)));
-    reach += errorOfMap * (sumOfSizes(map.translation) + operatorNorm(linear) * far);
+    reach += errorOfMap * (sumOfSizes(map.translation) + operatorNorm(linear) * sumOfSizes(box));
     const bool isNumber = std::isfinite(sumOfSizes(centre) + sumOfSizes(reach));
     return isNumber ? Box{centre - reach, centre + reach} : Box{glm::dvec3(-infinity), glm::dvec3(infinity)};
 }
