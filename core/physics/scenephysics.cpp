@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/scene/scenesearch.h"
+
 namespace romanesco {
 
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/scene/anchor.h"
-#include "core/scene/scenecollider.h"
+#include "core/scene/scenesearch.h"
 #include "tests/core/scene/longplaces.h"
 #include "tests/testmain.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SPDX-FileCopyrightText: Romanesco authors
-#include "core/scene/scenecollider.h"
+#include "core/scene/scenesearch.h"
 
 #include <QTest>
 #include <glm/geometric.hpp>

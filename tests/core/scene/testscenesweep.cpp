@@ -3,7 +3,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "core/scene/scenecollider.h"
+#include "core/scene/scenesearch.h"
 #include "tests/core/collide/allocations.h"
 #include "tests/core/collide/sweeptruth.h"
 #include "tests/core/scene/randomscenes.h"
