@@ -14,6 +14,7 @@
 #include "app/drawing/turn.h"
 #include "app/imagedecoder.h"
 #include "core/formats/sdoreader.h"
+#include "core/geometry/computable.h"
 #include "input.h"
 #include "output.h"
 #include "picturesize.h"

@@ -8,6 +8,8 @@
 #include <ranges>
 #include <unordered_map>
 
+#include "core/geometry/computable.h"
+
 namespace romanesco {
 
 std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescription &description, const Sphere &base)
@@ -29,7 +31,7 @@ std::expected<FractalGraph, SourceRange> FractalGraph::build(const FractalDescri
     graph.m_bounds = SphereBounds(graph, base);
 
     const Sphere whole = graph.bound(0);
-    if (std::isfinite(whole.radius) && std::isfinite(whole.radius * whole.radius)) {
+    if (isComputable(whole.centre, whole.radius)) {
         return graph;
     }
     return std::unexpected(graph.strongestGrowth().value_or(description.meshRange));

@@ -10,6 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/geometry/computable.h"
+
 namespace romanesco {
 
 namespace {

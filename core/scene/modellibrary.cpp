@@ -3,13 +3,13 @@
 #include "modellibrary.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "core/formats/fdoreader.h"
 #include "core/formats/lineparser.h"
 #include "core/formats/objreader.h"
 #include "core/fractal/extent.h"
+#include "core/geometry/computable.h"
 #include "meshlooks.h"
 
 namespace romanesco {
@@ -28,7 +28,7 @@ std::shared_ptr<const Model> modelOf(std::shared_ptr<const Mesh> mesh, FractalGr
 std::shared_ptr<const Model> modelOfMesh(std::shared_ptr<const Mesh> mesh)
 {
     const Sphere base = boundingSphere(*mesh);
-    if (!std::isfinite(base.radius * base.radius)) {
+    if (!isComputable(base.centre, base.radius)) {
         return nullptr;
     }
     return modelOf(std::move(mesh), FractalGraph::ofMesh(base), {});

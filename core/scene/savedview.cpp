@@ -6,6 +6,7 @@
 #include <format>
 
 #include "core/formats/sdosyntax.h"
+#include "core/geometry/computable.h"
 #include "scene.h"
 
 namespace romanesco {

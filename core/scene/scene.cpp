@@ -3,7 +3,6 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -48,12 +47,6 @@ Scene sceneOf(std::shared_ptr<const Model> model)
     scene.extent = model->extent;
     scene.items.push_back({.model = std::move(model)});
     return scene;
-}
-
-bool isComputable(const glm::dvec3 &place, double radius)
-{
-    const double reach = glm::length(place) + radius;
-    return std::isfinite(100.0 * reach * reach);
 }
 
 Sphere boundingSphere(const SceneItem &item)

@@ -46,10 +46,6 @@ struct Scene {
 /// A scene of one model as it is.
 [[nodiscard]] Scene sceneOf(std::shared_ptr<const Model> model);
 
-/// Whether what reaches so far is near enough to the origin: sizes, distances and their squares are numbers. False for
-/// what is none itself.
-[[nodiscard]] bool isComputable(const glm::dvec3 &place, double radius = 0.0);
-
 /// A sphere that holds an item, in the world.
 [[nodiscard]] Sphere boundingSphere(const SceneItem &item);
 /// One that holds all items; empty where there is nothing.

@@ -7,6 +7,7 @@
 
 #include "core/formats/lineparser.h"
 #include "core/formats/sdoreader.h"
+#include "core/geometry/computable.h"
 
 namespace romanesco {
 

@@ -101,15 +101,19 @@ void TestSceneLoader::whatIsWrongIsSaidAtItsPlace_data()
     row("a mesh nobody needs is not read", "x. \"x.obj\"\ny. \"none.obj\"\n<$>. x", triangle,
         "2:1 unused: y is never used");
     row("overflow by growth", "big 10 10 10\ns. (#, #, big)\nx. \"x.obj\"\nz<x>. [#, s] x\n<$>. z 1000", triangle,
-        "4:11 overflow: this grows beyond what can be computed with (1e154)");
+        "4:11 overflow: this grows beyond what can be computed with (1e153)");
     row("overflow by a move", "far 1e300 0 0\ns. (far, #, #)\nx. \"x.obj\"\n<$>. [#, s] x", triangle,
-        "4:10 overflow: this grows beyond what can be computed with (1e154)");
+        "4:10 overflow: this grows beyond what can be computed with (1e153)");
     row("overflow by the mesh", "x. \"x.obj\"\n<$>. x", "v 0 0 0\nv 1e300 0 0\nv 0 1 0\nf 1 2 3",
-        "1:4 overflow: this grows beyond what can be computed with (1e154)");
+        "1:4 overflow: this grows beyond what can be computed with (1e153)");
+    const char *one = "x. \"x.obj\"\n<$>. x";
+    row("a mesh just within", one, "v 0 0 0.8e153\nv 1 0 0.8e153\nv 0 1 0.8e153\nf 1 2 3", "");
+    row("overflow by the mesh's place", one, "v 0 0 1.1e153\nv 1 0 1.1e153\nv 0 1 1.1e153\nf 1 2 3",
+        "1:4 overflow: this grows beyond what can be computed with (1e153)");
     row("overflow with an unused set",
         "big 10 10 10\nmore 20 20 20\ns.a. (#, #, a)\nx. \"x.obj\"\ny. [s.more] x\n"
         "z<x>. [#, s.big] x\n<$>. z 1000",
-        triangle, "5:1 unused: y is never used\n6:11 overflow: this grows beyond what can be computed with (1e154)");
+        triangle, "5:1 unused: y is never used\n6:11 overflow: this grows beyond what can be computed with (1e153)");
 }
 
 void TestSceneLoader::whatIsWrongIsSaidAtItsPlace()

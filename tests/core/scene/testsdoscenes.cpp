@@ -174,10 +174,10 @@ void TestSdoScenes::whatIsWrongWithAFileIsSaidWhereItIsNamed_data()
     row("fractal that only warns", "f \"warns.fdo\" #", "");
     row("fractal that grows", "f \"grows.fdo\" #",
         "s.sdo:1:3: error: cannot use \"grows.fdo\": line 4, column 11: this grows beyond what can be computed "
-        "with (1e154)\n"
-        "grows.fdo:4:11: note: this grows beyond what can be computed with (1e154)");
+        "with (1e153)\n"
+        "grows.fdo:4:11: note: this grows beyond what can be computed with (1e153)");
     row("mesh that is huge", "o \"huge.obj\" #",
-        "s.sdo:1:3: error: this grows beyond what can be computed with (1e154)");
+        "s.sdo:1:3: error: this grows beyond what can be computed with (1e153)");
     row("its own error", "o \"x.obj\"\n",
         "s.sdo:1:10: error: a transformation in parentheses or # expected, found the "
         "end of the line");
@@ -311,8 +311,8 @@ void TestSdoScenes::placesBeyondNumbersAreErrors_data()
     QTest::addColumn<bool>("isGood");
     const auto row = [](const char *line, bool isGood) { QTest::newRow(line) << QString::fromLatin1(line) << isGood; };
     row("f \"a.fdo\" ((1e300, 0, 0), #, #)", false);
-    row("f \"a.fdo\" ((1e154, 1e154, 0), #, #)", false);
-    row("f \"a.fdo\" ((1e153, 0, 0), #, #)", true);
+    row("f \"a.fdo\" ((0, 1.1e153, 0), #, #)", false);
+    row("f \"a.fdo\" ((0.9e153, 0, 0), #, #)", true);
     row("f \"a.fdo\" (#, #, (1e300, 1, 1))", false);
     row("f \"a.fdo\" (#, #, (1.7e308, 1.7e308, 1.7e308))", false);
     row("f \"a.fdo\" (#, (10, 20, 30), (1e308, 1e308, 1e308))", false);
