@@ -64,6 +64,7 @@ class TestAnchor : public QObject
 private Q_SLOTS:
     void nodesStandWhereTheirMapsSay_data();
     void nodesStandWhereTheirMapsSay();
+    void aMillionLevelsDownNodesStandAsExactly();
     void allThatIsSeenFromTheWorldSurroundsAPlace();
     void placesAreTheSmallestNearby();
     void placesFollowWhatIsLookedAt();
@@ -132,6 +133,49 @@ void TestAnchor::nodesStandWhereTheirMapsSay()
         }
     }
     QVERIFY2(worst <= 1.0, qPrintable(QString::number(worst)));
+}
+
+/// Against products in 700 digits from where all ways are one: what is above is the same for all of them.
+void TestAnchor::aMillionLevelsDownNodesStandAsExactly()
+{
+    constexpr std::size_t levels = 999'999; // and the item's root
+    const auto model = modelOf(QStringLiteral("menger"), 1'000'100);
+    Anchor anchor(sceneOf({{.model = model}}));
+    QVERIFY(anchor.enter({0, 0}));
+    std::mt19937_64 random(11);
+    enterAtRandom(anchor, random, levels, 20);
+    QCOMPARE(anchor.depth(), levels);
+    QVERIFY(!anchor.enter({0, 0}));
+
+    const auto seen = anchor.surroundings();
+    QVERIFY(std::abs(seen->unitExponent + levels * std::log2(3.0)) < 1e-3);
+    QVERIFY(seen->nodes.size() > 40);
+    const auto first = std::ranges::min(seen->nodes, {}, &Surroundings::Node::sharedSteps).sharedSteps;
+    QVERIFY(levels - first < 1'000);
+    const auto from = [&](const OracleMap &outer, const Step &step) {
+        return outer.then(model->graph.set(step.set).maps[step.map]);
+    };
+    std::vector<OracleMap> along{{}};
+    for (std::size_t i = first; i < levels; ++i) {
+        along.push_back(from(along.back(), seen->path[i]));
+    }
+    const OracleMap &here = along.back();
+    const Long unit = here.columns[0][0];
+    for (const Surroundings::Node &node : seen->nodes) {
+        OracleMap map = along[node.sharedSteps - first];
+        for (const Step &step : node.steps) {
+            map = from(map, step);
+        }
+        const double size = std::max(1.0, node.hereFromNode.linear[0].x);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto axis = static_cast<glm::length_t>(i);
+            const Long offset = (map.translation[i] - here.translation[i]) / unit;
+            const double off = std::abs(static_cast<double>(offset - node.hereFromNode.translation[axis]));
+            QVERIFY2(off <= 1e-13 * size, qPrintable(QString::number(off / size)));
+            const Long number = map.columns[i][i] / unit;
+            QVERIFY(std::abs(static_cast<double>(number - node.hereFromNode.linear[axis][axis])) <= 1e-13 * size);
+        }
+    }
 }
 
 /// Each copy of a small fractal is below exactly one node.
