@@ -32,9 +32,6 @@ namespace romanesco {
 
 namespace {
 
-/// Every edit moves the marks, every movement of the cursor draws them.
-constexpr std::size_t mostMarks = 1'000;
-
 constexpr qreal leastPointSize = 4;
 constexpr qreal greatestPointSize = 96;
 
@@ -52,6 +49,7 @@ FdoEditor::FdoEditor(QWidget *parent)
     , m_folding(new Folding(*this, m_language))
     , m_pinned(new PinnedNumbers(*this))
     , m_margin(new EditorMargin(*this))
+    , m_problems(*document())
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_usualPointSize = font().pointSizeF();
@@ -90,19 +88,7 @@ void FdoEditor::setFileName(const QString &name)
 void FdoEditor::setDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text)
 {
     m_fixes->setDiagnostics(diagnostics, text);
-    m_problems.clear();
-    for (const Diagnostic &diagnostic : diagnostics) {
-        if (diagnostic.severity() == Severity::Hint) {
-            continue;
-        }
-        if (m_problems.size() == mostMarks) {
-            break;
-        }
-        const int begin = text.position(diagnostic.range.begin);
-        const int end = text.position(diagnostic.range.end);
-        m_problems.push_back(
-            {markedPlace(document(), begin, end), diagnostic.severity(), QString::fromStdString(diagnostic.message())});
-    }
+    m_problems.set(diagnostics, text);
     updateSelections();
     m_margin->update();
 }
@@ -133,15 +119,12 @@ void FdoEditor::select(SourceRange range, const TextSnapshot &text)
 
 void FdoEditor::goToNextProblem()
 {
-    const auto start = [](const Problem &problem) { return problem.place.selectionStart(); };
-    const int here = textCursor().position();
-    const auto following = std::ranges::find_if(m_problems, [&](const Problem &p) { return start(p) > here; });
-    const auto next = following != m_problems.end() ? following : m_problems.begin();
-    if (next == m_problems.end()) {
+    const ProblemMark *next = m_problems.next(textCursor().position());
+    if (!next) {
         return;
     }
     QTextCursor cursor(document());
-    cursor.setPosition(start(*next));
+    cursor.setPosition(next->place.selectionStart());
     setTextCursor(cursor);
     ensureCursorVisible();
     setFocus(Qt::OtherFocusReason);
@@ -281,9 +264,8 @@ std::vector<FdoEditor::VisibleLine> FdoEditor::visibleLines() const
         block = block.next();
         area = blockBoundingGeometry(block).translated(contentOffset());
     }
-    for (const Problem &problem : m_problems) {
-        const int number = document()->findBlock(problem.place.selectionStart()).blockNumber();
-        const auto line = std::ranges::find(lines, number, &VisibleLine::number);
+    for (const ProblemMark &problem : problems()) {
+        const auto line = std::ranges::find(lines, m_problems.line(problem), &VisibleLine::number);
         if (line != lines.end() && (!line->worst || problem.severity < line->worst->severity)) {
             line->worst = &problem;
         }
@@ -293,13 +275,7 @@ std::vector<FdoEditor::VisibleLine> FdoEditor::visibleLines() const
 
 QString FdoEditor::messagesInLine(int number) const
 {
-    QStringList messages;
-    for (const Problem &problem : m_problems) {
-        if (document()->findBlock(problem.place.selectionStart()).blockNumber() == number) {
-            messages += problem.message;
-        }
-    }
-    return messages.join(u'\n');
+    return m_problems.messagesInLine(number).join(u'\n');
 }
 
 QColor FdoEditor::colour(KSyntaxHighlighting::Theme::EditorColorRole role) const
@@ -475,15 +451,7 @@ void FdoEditor::updateSelections()
         const int last = cursorForPosition(viewport()->rect().bottomRight()).position();
         selections += m_marks.between(first, last, *document());
     }
-    // Errors last, so that they lie above warnings.
-    for (const Severity severity : {Severity::Warning, Severity::Error}) {
-        for (const Problem &problem : m_problems) {
-            if (problem.severity == severity) {
-                selections += underlined(problem.place, problem.severity);
-            }
-        }
-    }
-    setExtraSelections(selections);
+    setExtraSelections(selections + m_problems.underlines());
 }
 
 void FdoEditor::markBrackets()
@@ -494,17 +462,6 @@ void FdoEditor::markBrackets()
     if (!brackets.empty() || !m_marks.stretches(MarkLayer::Brackets).empty()) {
         mark(MarkLayer::Brackets, std::move(brackets), format);
     }
-}
-
-QStringList FdoEditor::messagesAt(int position) const
-{
-    QStringList messages;
-    for (const Problem &problem : m_problems) {
-        if (problem.place.selectionStart() <= position && position <= problem.place.selectionEnd()) {
-            messages += problem.message;
-        }
-    }
-    return messages;
 }
 
 std::optional<int> FdoEditor::positionAt(const QPoint &point) const
@@ -524,7 +481,7 @@ void FdoEditor::showTip()
 void FdoEditor::showTip(int position, const QPoint &globalPlace)
 {
     // Without words it hides.
-    QToolTip::showText(globalPlace, tipWords(messagesAt(position), m_language, position), viewport());
+    QToolTip::showText(globalPlace, tipWords(m_problems.messagesAt(position), m_language, position), viewport());
 }
 
 }

@@ -13,7 +13,7 @@
 #include "core/text/diagnostic.h"
 #include "core/text/textedit.h"
 #include "languagetext.h"
-#include "problemmark.h"
+#include "problemmarks.h"
 #include "quickfixes.h"
 #include "scrubber.h"
 #include "textmarks.h"
@@ -54,13 +54,7 @@ public:
     /// the document still has.
     void setDiagnostics(const Diagnostics &diagnostics, const TextSnapshot &text);
 
-    /// What is wrong with one stretch of the text.
-    struct Problem {
-        QTextCursor place;
-        Severity severity;
-        QString message;
-    };
-    [[nodiscard]] const std::vector<Problem> &problems() const { return m_problems; }
+    [[nodiscard]] const std::vector<ProblemMark> &problems() const { return m_problems.all(); }
 
     /// One undo step; the cursor stays at its word. Ranges are of that text, which the document still has.
     void apply(const TextEdits &edits, const TextSnapshot &text);
@@ -98,7 +92,7 @@ public:
         int number;
         QRect area;
         /// Null where the line has no problem.
-        const Problem *worst;
+        const ProblemMark *worst;
     };
     [[nodiscard]] std::vector<VisibleLine> visibleLines() const;
     [[nodiscard]] QString messagesInLine(int number) const;
@@ -163,7 +157,6 @@ private:
     void layOutMargin();
     void updateSelections();
     void markBrackets();
-    [[nodiscard]] QStringList messagesAt(int position) const;
     void showTip(int position, const QPoint &globalPlace);
 
     std::unique_ptr<KSyntaxHighlighting::SyntaxHighlighter> m_highlighter;
@@ -178,7 +171,7 @@ private:
     Folding *m_folding;
     PinnedNumbers *m_pinned;
     EditorMargin *m_margin;
-    std::vector<Problem> m_problems;
+    ProblemMarks m_problems;
     qreal m_usualPointSize;
 };
 
