@@ -184,7 +184,7 @@ void TestApproach::onAFaceTheDirectionIsAgainstTheMotion()
     }
 }
 
-/// Also those that promise less: what they find is ahead, and no nearer than what is.
+/// Also those that promise less: what they find is ahead, and no nearer than what is, but for what they round away from it.
 void TestApproach::everyKindFindsWhatIsAhead()
 {
     std::mt19937_64 random(3);
@@ -201,7 +201,8 @@ void TestApproach::everyKindFindsWhatIsAhead()
         Hit hit;
         simple.search()->closest({.p = p, .motion = motion}, least);
         greedy->search()->closest({.p = p, .motion = motion}, hit);
-        QVERIFY(!hit.isFound() || (hit.distance >= least.distance && glm::dot(hit.direction, motion) < 0.0));
+        QVERIFY(!hit.isFound()
+                || (hit.distance >= least.distance - 1e-12 * size && glm::dot(hit.direction, motion) < 0.0));
         octree->search()->closest({.p = p, .motion = motion}, hit);
         QVERIFY(!hit.isFound() || glm::dot(hit.direction, motion) < 0.0);
         found += hit.isFound() ? 1 : 0;
