@@ -251,7 +251,11 @@ private:
         return {box, factor};
     }
 
-    static double ratio(double a, double b) { return a == 0.0 ? 0.0 : a == b ? 1.0 : a / b * (1.0 + 2.0 * epsilon); }
+    /// Of lengths; a zero may have any sign.
+    static double ratio(double a, double b)
+    {
+        return a == 0.0 ? 0.0 : a == b ? 1.0 : b == 0.0 ? infinity : a / b * (1.0 + 2.0 * epsilon);
+    }
 
     static bool isSimple(const std::vector<LevelRun> &pass)
     {

@@ -219,6 +219,7 @@ private Q_SLOTS:
     void longRowsAreFollowedExactly_data();
     void longRowsAreFollowedExactly();
     void whatKeepsToTheAxesIsFollowedAxisByAxis();
+    void sidesThatOthersMoveLaterAreMoved();
     void whatGrowsLeavesTheRestTight();
     void growthIsFollowedAsFarAsNumbersGo();
     void nestsThatTurnHaveBoxes();
@@ -452,6 +453,25 @@ void TestBoxBounds::whatKeepsToTheAxesIsFollowedAxisByAxis()
         }
     }
     QVERIFY2(grown > 200, QByteArray::number(grown));
+}
+
+/// What grows upwards is turned to the left, which shows only where it is longer than the mesh.
+void TestBoxBounds::sidesThatOthersMoveLaterAreMoved()
+{
+    Mesh mesh;
+    mesh.vertices = {{-1'000, 0, 0}, {0, 0, 0}, {0, 0.5, 0}};
+    mesh.faces = {{0, 1, 2}};
+    AffineMap turned; // and as flat as the mesh
+    turned.linear = glm::dmat3(0.0);
+    turned.linear[1][0] = -1.0;
+    const Fractal fractal = repeated({moved(0, 1, 0), turned}, true, 10'000);
+    const FractalGraph graph = graphOf(fractal, mesh);
+    const BoxBounds boxes(graph, mesh);
+    const std::vector<ExactBox> exact = exactIntervals(fractal, mesh);
+    QVERIFY(exact.front().least[0] < -9'000);
+    for (Position position = 0; position < exact.size(); position += 10) {
+        QVERIFY2(excess(boxes.at(graph, position), exact[position]) >= 0, qPrintable(QString::number(position)));
+    }
 }
 
 /// A million steps of a copy of a cluster, and clusters of all that.
