@@ -39,7 +39,6 @@ void TestFractalGrounds::lawsHoldOnEachFractal()
     Ground ground({{.model = modelOf(example, depth)}, {.model = modelOf(boxMesh(3))}});
     std::mt19937_64 random(7);
     const Laws laws;
-    int slept = 0;
     unsigned contacts = 0;
     for (int round = 0; round < 40; ++round) {
         const double radius = std::pow(10.0, uniform(random, -4, -0.8));
@@ -71,7 +70,6 @@ void TestFractalGrounds::lawsHoldOnEachFractal()
             const glm::dvec3 p = glm::abs(ball.position);
             QVERIFY2(std::max({p.x, p.y, p.z}) < 3, words("outside", radius));
         }
-        slept += ball.isAsleep ? 1 : 0;
     }
     QVERIFY2(contacts > 500, qPrintable(QString::number(contacts)));
 }

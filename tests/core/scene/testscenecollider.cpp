@@ -20,8 +20,6 @@ namespace {
 using Kind = ColliderKind;
 using ItemKind = SceneDescription::Kind;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 SceneCollider colliderOf(const std::shared_ptr<const Scene> &scene, Kind kind, double excess = 0.01)
 {
     return SceneCollider::create(scene, {kind, excess}).value();
