@@ -32,7 +32,7 @@ std::expected<void, std::string> ShownPicture::make()
 void ShownPicture::take(Target &pass)
 {
     std::swap(pass, m_single);
-    m_shown = &m_single;
+    m_isSingle = true;
     m_count = 1;
 }
 
@@ -59,7 +59,7 @@ std::expected<void, std::string> ShownPicture::add(const Target &pass, bool isFi
     glBindVertexArray(m_emptyArray);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glDisable(GL_BLEND);
-    m_shown = &m_sum;
+    m_isSingle = false;
     m_count = isFirst ? 1 : m_count + 1;
     return {};
 }
@@ -75,8 +75,7 @@ void ShownPicture::present(GLuint framebuffer, int width, int height, const Colo
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    const bool isSingle = m_shown == &m_single;
-    if (isSingle) {
+    if (m_isSingle) {
         glUseProgram(m_presentSingleProgram);
     } else {
         glUseProgram(m_presentProgram);
@@ -84,9 +83,9 @@ void ShownPicture::present(GLuint framebuffer, int width, int height, const Colo
     }
     glUniform3fv(1, 1, top.data());
     glUniform3fv(2, 1, bottom.data());
-    const GLuint texture = isSingle ? m_shown->bytes : m_shown->colour;
+    const GLuint texture = m_isSingle ? m_single.bytes : m_sum.colour;
     // Between pixels only where there are others.
-    const bool isScaled = width != m_shown->width || height != m_shown->height;
+    const bool isScaled = width != shown().width || height != shown().height;
     glTextureParameteri(texture, GL_TEXTURE_MIN_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
     glTextureParameteri(texture, GL_TEXTURE_MAG_FILTER, isScaled ? GL_LINEAR : GL_NEAREST);
     glBindTextureUnit(0, texture);

@@ -25,14 +25,16 @@ public:
 
     /// Nothing has been finished yet.
     [[nodiscard]] bool isEmpty() const { return m_count == 0; }
-    [[nodiscard]] int width() const { return m_shown->width; }
-    [[nodiscard]] int height() const { return m_shown->height; }
+    [[nodiscard]] int width() const { return shown().width; }
+    [[nodiscard]] int height() const { return shown().height; }
 
     using Colour = std::array<float, 3>;
     /// Into a framebuffer (0 for a window's own), scaled to width x height, over a gradient from the top to the bottom edge.
     void present(GLuint framebuffer, int width, int height, const Colour &top, const Colour &bottom) const;
 
 private:
+    [[nodiscard]] const Target &shown() const { return m_isSingle ? m_single : m_sum; }
+
     GlProgram m_accumulateProgram;
     GlProgram m_presentProgram;
     GlProgram m_presentSingleProgram;
@@ -40,7 +42,7 @@ private:
     /// The last picture of one pass.
     Target m_single;
     Target m_sum;
-    const Target *m_shown = &m_sum;
+    bool m_isSingle = false;
     /// Passes in the sum.
     int m_count = 0;
 };

@@ -22,6 +22,7 @@ constexpr auto restAfter = 150ms;
 constexpr int fineSamples = 8;
 /// Where the screen's own pixels are so small, half of them do.
 constexpr int fineSamplesOnDenseScreens = 4;
+/// Fine pictures of a text that take longer follow its changes coarsely.
 constexpr double slowMilliseconds = 100.0;
 constexpr double slowWhileChanging = 16.0;
 
@@ -120,7 +121,7 @@ void LivePicture::startDrawing()
 bool LivePicture::makeRenderer()
 {
     if (context()->isOpenGLES()) {
-        // which libepoxy would look for libraries for that need not be there
+        // libepoxy would look for its libraries, which need not be there
         m_lack = tr("Drawing needs OpenGL 4.5; this system offers OpenGL ES.");
         return false;
     }

@@ -77,7 +77,6 @@ void addRow(QFormLayout &form, const QString &words, std::initializer_list<QWidg
     row->addStretch(1);
     auto *label = new QLabel(words);
     label->setBuddy(*parts.begin());
-    label->setContentsMargins(0, 0, 4, 0); // or its last letter is cut
     form.addRow(label, row);
 }
 
@@ -262,7 +261,7 @@ QWidget *PhysicsChoices::makeCollider()
     m_promise->setWordWrap(true);
     m_promise->setFixedWidth(230);
     addRow(*form, tr("&Collider"), {m_collider});
-    addRow(*form, tr("&Tolerance"), {m_tolerance});
+    addRow(*form, tr("To&lerance"), {m_tolerance});
     form->addRow(m_promise);
     const auto changed = [this] {
         showPromise();
