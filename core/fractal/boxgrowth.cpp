@@ -248,7 +248,8 @@ private:
             }
             box = box.with(next);
         }
-        return {box, factor};
+        // What begins to move may move others that stay.
+        return {std::isinf(factor) ? everything : box, factor};
     }
 
     /// Of lengths; a zero may have any sign.
