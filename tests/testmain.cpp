@@ -26,6 +26,12 @@ QString shortName(const QObject &object)
 
 }
 
+std::uint64_t romanesco::test::seed(std::uint64_t own)
+{
+    static const auto others = static_cast<std::uint64_t>(qEnvironmentVariableIntValue("ROMANESCO_TEST_SEED"));
+    return own + 1'000'003 * others;
+}
+
 void romanesco::test::registerTest(std::function<std::unique_ptr<QObject>()> make)
 {
     registry().push_back(std::move(make));

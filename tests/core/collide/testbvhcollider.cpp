@@ -23,7 +23,7 @@ Mesh example(const char *file)
 
 Mesh meshCalled(const QString &name)
 {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(seed(7));
     if (name == QLatin1String("cube")) {
         return example("cube.obj");
     }
@@ -124,7 +124,7 @@ void TestBvhCollider::nothingIsNearerThanWhatIsFound()
     const auto collider = BvhCollider::create(mesh);
     const auto search = collider->search();
     const Places places(mesh);
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     Hit hit;
     for (const Place place : {Place::Uniform, Place::Near, Place::OnFaces, Place::AtVertices, Place::Far}) {
         for (int i = 0; i < 20; ++i) {
@@ -161,7 +161,7 @@ void TestBvhCollider::largeMeshesAreAsTheSimpleColliderHasThem()
     const FractalGraph graph = FractalGraph::ofMesh(boundingSphere(mesh));
     const SimpleCollider oracle(graph, mesh);
     const Places places(mesh);
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(seed(2));
     for (const Place place : {Place::Uniform, Place::Near, Place::OnFaces, Place::AtVertices, Place::Far}) {
         for (int i = 0; i < 5; ++i) {
             const glm::dvec3 p = places(random, place);
@@ -180,7 +180,7 @@ void TestBvhCollider::theRadiusEndsTheSearch()
     const Mesh mesh = ball(16);
     const auto collider = BvhCollider::create(mesh);
     const Places places(mesh);
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     for (int i = 0; i < 300; ++i) {
         const glm::dvec3 p = places(random, i % 2 == 0 ? Place::Uniform : Place::Near);
         const double least = found(*collider, {p}).distance;
@@ -212,7 +212,7 @@ void TestBvhCollider::aSmallRadiusSavesWork()
 
 void TestBvhCollider::ofEqualFacesTheFirstIsFound()
 {
-    std::mt19937_64 random(4);
+    std::mt19937_64 random(seed(4));
     Mesh mesh = plate(9);
     const std::vector<Mesh::Face> faces = mesh.faces;
     for (int i = 0; i < 2; ++i) {
@@ -233,7 +233,7 @@ void TestBvhCollider::ofEqualFacesTheFirstIsFound()
 
 void TestBvhCollider::facesFarAwayChangeNothing()
 {
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(seed(5));
     for (const char *name : {"ball", "plate", "cube", "small triangles", "needles"}) {
         const Mesh mesh = meshCalled(QLatin1String(name));
         const Places places(mesh);
@@ -267,7 +267,7 @@ void TestBvhCollider::fewFacesAreLookedAt()
     const Mesh mesh = ball(60);
     const auto collider = BvhCollider::create(mesh);
     const Places places(mesh);
-    std::mt19937_64 random(6);
+    std::mt19937_64 random(seed(6));
     // of 7,080; from afar all faces at the near end are about equally far
     for (const auto &[place, most] :
          {std::pair(Place::Uniform, 70), {Place::Near, 8}, {Place::OnFaces, 6}, {Place::Far, 180}}) {
@@ -307,7 +307,7 @@ void TestBvhCollider::costsAreCounted()
 
 void TestBvhCollider::coordinatesMayBeOfAnySize()
 {
-    std::mt19937_64 random(8);
+    std::mt19937_64 random(seed(8));
     const Mesh plain = soup(random, 200, 0.2);
     const auto ofPlain = BvhCollider::create(plain);
     for (const int exponent : {-900, -600, -300, -200, 0, 200, 300, 600, 900, 995}) {
@@ -333,7 +333,7 @@ void TestBvhCollider::coordinatesMayBeOfAnySize()
 
 void TestBvhCollider::sizesMayBeMixed()
 {
-    std::mt19937_64 random(9);
+    std::mt19937_64 random(seed(9));
     for (int i = 0; i < 40; ++i) {
         // groups of triangles about the origin, each of another size
         Mesh mesh;
@@ -415,7 +415,7 @@ void TestBvhCollider::buildingCanBeStopped()
 
 void TestBvhCollider::searchesNeverAllocate()
 {
-    std::mt19937_64 random(10);
+    std::mt19937_64 random(seed(10));
     for (const char *name : {"ball", "needles", "points"}) {
         const Mesh mesh = meshCalled(QLatin1String(name));
         const auto collider = BvhCollider::create(mesh);

@@ -190,7 +190,7 @@ void TestFolds::deepFractalsAreAsFarAsTheirFolds()
 {
     QFETCH(const Shape, shape);
     QFETCH(const int, depth);
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     const auto [mesh, fractal] = folded(shape, static_cast<std::uint64_t>(depth));
     const auto graph = FractalGraph::build(fractal.description(), boundingSphere(mesh));
     const BoxBounds boxes(*graph, mesh);
@@ -216,7 +216,7 @@ void TestFolds::threadsFindTheSame()
     const Sample fractal = sample(QStringLiteral("appendix-b"), 6);
     const BoxBounds boxes(fractal.graph, fractal.mesh);
     const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh);
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(seed(2));
     std::vector<glm::dvec3> points(400);
     std::ranges::generate(points, [&] { return randomPoint(random, fractal.graph.bound(0).radius); });
     constexpr std::size_t threads = 4;

@@ -129,7 +129,7 @@ void TestRadius::whatWasFoundIsFoundAgainWithin()
     QFETCH(const bool, isSimilar);
     QFETCH(const bool, isPlaced);
     QFETCH(const quint32, faces);
-    std::mt19937_64 random(91);
+    std::mt19937_64 random(seed(91));
     const bool isQuick = kind != Kind::Simple && kind != Kind::Greedy;
     for (int round = 0; round < (isQuick ? 40 : 8); ++round) {
         const RandomFractal sample = randomSample(random, isSimilar, faces);
@@ -165,7 +165,7 @@ void TestRadius::pointsOfDeepFractalsAreFoundAgain()
     QFETCH(const QString, name);
     QFETCH(const double, excess);
     QFETCH(const bool, isPlaced);
-    std::mt19937_64 random(92);
+    std::mt19937_64 random(seed(92));
     const Sample fractal = sample(name, 200);
     const BoxBounds boxes(fractal.graph, fractal.mesh);
     const auto collider = ExactCollider::create(fractal.graph, boxes, fractal.mesh, excess);

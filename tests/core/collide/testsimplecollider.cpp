@@ -39,7 +39,7 @@ void TestSimpleCollider::nothingIsNearerThanWhatIsFound_data()
 void TestSimpleCollider::nothingIsNearerThanWhatIsFound()
 {
     QFETCH(double, largest);
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     for (int i = 0; i < 25; ++i) {
         const RandomFractal sample = randomFractalWithMesh(random, largest);
         const SimpleCollider collider(sample.graph, sample.mesh);

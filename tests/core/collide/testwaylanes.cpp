@@ -110,7 +110,7 @@ private Q_SLOTS:
 
 void TestWayLanes::lanesAreAsOneByOne()
 {
-    std::mt19937_64 random(63);
+    std::mt19937_64 random(seed(63));
     int touched = 0;
     int raised = 0;
     int loose = 0; // where they graze, lanes give up earlier
@@ -142,7 +142,7 @@ void TestWayLanes::bitsAreTheSameOnEveryProcessor()
 {
     std::vector<std::vector<std::uint64_t>> bits;
     const std::size_t sets = withEveryInstructionSet([&] {
-        std::mt19937_64 random(64);
+        std::mt19937_64 random(seed(64));
         std::vector<std::uint64_t> &all = bits.emplace_back();
         for (int round = 0; round < 300; ++round) {
             const Shot shot = randomShot(random, round);

@@ -25,7 +25,7 @@ private Q_SLOTS:
 
 void TestWrittenOut::everyFaceOfEveryWordIsThereOnce()
 {
-    std::mt19937_64 random(62);
+    std::mt19937_64 random(seed(62));
     for (int round = 0; round < 100; ++round) {
         const RandomFractal sample = randomFractalWithMesh(random, 0.8);
         const AffineMap place = randomMap(random, 2);

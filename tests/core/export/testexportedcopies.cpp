@@ -137,7 +137,7 @@ private Q_SLOTS:
 /// Maps of all kinds: similar, unequal, sheared, mirrored and flat; sets with and without `#`, which share maps.
 void TestExportedCopies::everyDistinctCopyIsWrittenOnceToTheLastBit()
 {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(seed(7));
     for (int round = 0; round < 200; ++round) {
         const Both both{randomFractal(random, 0.9), randomMesh(random)};
         std::vector<Triangle> truth;
@@ -149,7 +149,7 @@ void TestExportedCopies::everyDistinctCopyIsWrittenOnceToTheLastBit()
 
 void TestExportedCopies::itemsOfASceneStandAtTheirPlaces()
 {
-    std::mt19937_64 random(8);
+    std::mt19937_64 random(seed(8));
     for (int round = 0; round < 50; ++round) {
         const Both first{randomFractal(random, 0.9), randomMesh(random)};
         const Both second{randomFractal(random, 0.9), randomMesh(random)};

@@ -136,7 +136,7 @@ void TestForecast::bytesAreWithinTwoPerCent()
 
 void TestForecast::bytesOfAnyFractalAreWithinTwoPerCent()
 {
-    std::mt19937_64 random(11);
+    std::mt19937_64 random(seed(11));
     for (int round = 0; round < 60; ++round) {
         const Scene scene = sceneOf(randomModel(random, decoratedBall(4 + round % 20)));
         for (const bool isGrouped : {false, true}) {
@@ -184,7 +184,7 @@ void TestForecast::numbersAreThoseOfThePlacedItem()
 
 void TestForecast::manyItemsAreForecastTogether()
 {
-    std::mt19937_64 random(12);
+    std::mt19937_64 random(seed(12));
     const auto model = randomModel(random, decoratedBall(8));
     Scene scene;
     for (int i = 0; i < 300; ++i) {

@@ -411,7 +411,7 @@ void TestGlbExport::flatCopiesAreInstancesToo()
 
 void TestGlbExport::anyFractalIsItsFlattening()
 {
-    std::mt19937_64 random(21);
+    std::mt19937_64 random(seed(21));
     int instanced = 0;
     for (int round = 0; round < 60; ++round) {
         const naive::Fractal fractal = randomFractal(random, 0.9);

@@ -332,7 +332,7 @@ void TestWeld::stopsAreHeeded()
 /// Points on and beside the sides of cells most of all.
 void TestWeld::gridsFindWhatASearchOfAllFinds()
 {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     constexpr double tolerance = 0.01;
     VertexGrid grid(tolerance, 0.5);
     std::vector<glm::dvec3> kept;

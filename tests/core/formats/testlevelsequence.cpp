@@ -39,7 +39,7 @@ naive::Fractal randomFractal(std::mt19937_64 &random, std::uint64_t mostRepeats)
 
 void TestLevelSequence::everyPositionIsWhereTheListHasIt()
 {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     for (int round = 0; round < 2'000; ++round) {
         const naive::Fractal fractal = randomFractal(random, round % 4 == 0 ? 40 : 5);
         const std::vector<SetId> list = fractal.setsOfLevels();
@@ -55,7 +55,7 @@ void TestLevelSequence::everyPositionIsWhereTheListHasIt()
 
 void TestLevelSequence::successorsAreThoseOfTheList()
 {
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(seed(2));
     for (int round = 0; round < 500; ++round) {
         const LevelSequence levels = randomFractal(random, 6).description().levels;
         std::vector<std::set<LevelSequence::Slot>> seen(levels.slotCount());
@@ -134,7 +134,7 @@ void TestLevelSequence::positionsOfHugeRepeats()
     builder.endRepeat();
     const LevelSequence levels = std::move(builder).build();
     QCOMPARE(levels.levelCount(), m * (2 * n + 1));
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     for (int i = 0; i < 10'000; ++i) {
         const Position position =
             i % 2 == 0 ? random() % levels.levelCount() : (random() % m) * (2 * n + 1) + 2 * n - 2 + random() % 3;

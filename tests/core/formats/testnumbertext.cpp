@@ -54,7 +54,7 @@ private Q_SLOTS:
 
 void TestNumberText::numbersReadBackToTheLastBit()
 {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     NumberText numbers;
     for (int i = 0; i < 200'000; ++i) {
         const double value = wildDouble(random);
@@ -69,7 +69,7 @@ void TestNumberText::numbersReadBackToTheLastBit()
 
 void TestNumberText::noShorterTextReadsBack()
 {
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(seed(2));
     NumberText numbers;
     for (int i = 0; i < 20'000; ++i) {
         const double value = wildDouble(random);
@@ -86,7 +86,7 @@ void TestNumberText::noShorterTextReadsBack()
 
 void TestNumberText::digitsAreAsManyAsWanted()
 {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     for (const int digits : {1, 3, 6, 15, 17}) {
         NumberText numbers(digits);
         for (int i = 0; i < 20'000; ++i) {

@@ -90,7 +90,7 @@ private Q_SLOTS:
 
 void TestExtent::theBoxHoldsEveryVertexAndLittleMore()
 {
-    std::mt19937_64 random(31);
+    std::mt19937_64 random(seed(31));
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int round = 0; round < 300; ++round) {
         naive::Fractal fractal;

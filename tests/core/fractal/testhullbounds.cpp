@@ -86,7 +86,7 @@ void TestHullBounds::everyPositionsHullHoldsWhatFollows_data()
 void TestHullBounds::everyPositionsHullHoldsWhatFollows()
 {
     QFETCH(const double, largest);
-    std::mt19937_64 random(91);
+    std::mt19937_64 random(seed(91));
     int looked = 0;
     for (int round = 0; round < 80; ++round) {
         const Fractal fractal = randomFractal(random, largest);
@@ -140,7 +140,7 @@ void TestHullBounds::foldedPointsStayInsideAtGreatDepth()
     const BoxBounds boxes(fractal.graph, fractal.mesh);
     const HullBounds hulls(fractal.graph, boxes, fractal.mesh);
     const Folder folder(fractal.description);
-    std::mt19937_64 random(92);
+    std::mt19937_64 random(seed(92));
     const std::vector<glm::dvec3> ways = directions(random);
     const std::vector<Point> vertices = points(fractal.mesh);
     for (int round = 0; round < 5; ++round) {
@@ -229,7 +229,7 @@ void TestHullBounds::aStopLeavesNone()
 /// A round mesh has more corners than are kept, at each level.
 void TestHullBounds::errorsOfWhatFollowsCount()
 {
-    std::mt19937_64 random(93);
+    std::mt19937_64 random(seed(93));
     Mesh mesh;
     std::normal_distribution<double> normal;
     for (std::uint32_t i = 0; i < 600; i += 3) {

@@ -53,7 +53,7 @@ private Q_SLOTS:
 
 void TestLevelRuns::runsAreTheLevelsWrittenOut()
 {
-    std::mt19937_64 random(61);
+    std::mt19937_64 random(seed(61));
     int nested = 0;
     for (int round = 0; round < 1'000; ++round) {
         naive::Fractal fractal;

@@ -68,7 +68,7 @@ void TestSphereBounds::everyPositionsBoundHoldsWhatFollows_data()
 void TestSphereBounds::everyPositionsBoundHoldsWhatFollows()
 {
     QFETCH(double, largest);
-    std::mt19937_64 random(21);
+    std::mt19937_64 random(seed(21));
     for (int round = 0; round < 250; ++round) {
         const naive::Fractal fractal = randomFractal(random, largest);
         const Mesh mesh = randomMesh(random);
@@ -104,7 +104,7 @@ void TestSphereBounds::everyPositionsBoundHoldsWhatFollows()
 /// Where maps contract, a repeat of any depth has a bound near that of a shallow one, `#` or not.
 void TestSphereBounds::contractingSetsShareATightBoundAtAnyDepth()
 {
-    std::mt19937_64 random(22);
+    std::mt19937_64 random(seed(22));
     for (int round = 0; round < 1'000; ++round) {
         naive::Fractal fractal;
         for (int i = 0; i < 3; ++i) {
@@ -138,7 +138,7 @@ void TestSphereBounds::contractingSetsShareATightBoundAtAnyDepth()
 /// What makes one sphere good for every depth: each lies in that of the level before, through every map.
 void TestSphereBounds::sharedBoundsHoldTheImagesOfOneAnother()
 {
-    std::mt19937_64 random(25);
+    std::mt19937_64 random(seed(25));
     for (int round = 0; round < 400; ++round) {
         naive::Fractal fractal;
         for (int i = 0; i < 3; ++i) {
@@ -172,7 +172,7 @@ void TestSphereBounds::sharedBoundsHoldTheImagesOfOneAnother()
 
 void TestSphereBounds::boundsHoldTheNextOnesWhereRepeatsMeet()
 {
-    std::mt19937_64 random(26);
+    std::mt19937_64 random(seed(26));
     int looked = 0;
     for (int round = 0; round < 1'000; ++round) {
         const naive::Fractal fractal = randomLongFractal(random);
@@ -249,7 +249,7 @@ void TestSphereBounds::foldedPointsStayInsideAtGreatDepth()
     QFETCH(int, depth);
     const Sample fractal = sample(name, static_cast<std::uint64_t>(depth));
     const Folder folder(fractal.description);
-    std::mt19937_64 random(23);
+    std::mt19937_64 random(seed(23));
     const std::vector<Point> vertices = points(fractal.mesh);
     for (int round = 0; round < 3; ++round) {
         Point point = vertices[random() % vertices.size()];
@@ -280,7 +280,7 @@ void TestSphereBounds::attractorsStayInsideAtTheGreatestDepths()
     const Sample fractal = sample(name, name == QLatin1String("appendix-b") ? depth - 1 : depth);
     const Folder folder(fractal.description);
     const std::vector<Point> vertices = points(fractal.mesh);
-    std::mt19937_64 random(24);
+    std::mt19937_64 random(seed(24));
     for (int round = 0; round < 20; ++round) {
         const Position end = round % 2 == 0 ? 3'000 : 3'000 + random() % (fractal.graph.levels().levelCount() - 4'000);
         Point point = vertices[random() % vertices.size()];

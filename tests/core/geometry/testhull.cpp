@@ -62,7 +62,7 @@ public:
     std::size_t index(std::size_t count) { return m_random() % count; }
 
 private:
-    std::mt19937_64 m_random{81};
+    std::mt19937_64 m_random{seed(81)};
 };
 
 }

@@ -74,7 +74,7 @@ void TestNormals::flatMapsAreNotMirrors()
 
 void TestNormals::normalsStandOnTheImagesOfTheirFaces()
 {
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(seed(5));
     std::uniform_real_distribution<double> unit(-1, 1);
     const auto vector = [&] { return glm::dvec3(unit(random), unit(random), unit(random)); };
     int compared = 0;

@@ -24,7 +24,7 @@ private Q_SLOTS:
 
 void TestSimilarity::turnedScaledAndMirroredKeepsAngles()
 {
-    std::mt19937_64 random(61);
+    std::mt19937_64 random(seed(61));
     const auto number = [&] { return uniform(random, -180, 180); };
     for (int round = 0; round < 2'000; ++round) {
         const double size = std::pow(10.0, uniform(random, -100, 100));

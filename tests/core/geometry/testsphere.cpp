@@ -119,7 +119,7 @@ void TestSphere::anEnclosingSphereHoldsPointsOfAnySize()
 
 void TestSphere::anEnclosingSphereIsNearlyTheSmallest()
 {
-    std::mt19937_64 random(7);
+    std::mt19937_64 random(seed(7));
     std::uniform_real_distribution<double> coordinate(-1, 1);
     double worst = 0;
     for (int round = 0; round < 300; ++round) {

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/core/physics/referee.h"
+#include "tests/testmain.h"
 
 /// Balls that are shot at surfaces, from everywhere, up to ten thousand radii a step.
 namespace romanesco::test {
@@ -90,13 +91,13 @@ inline BallState randomShot(std::mt19937_64 &random, const WrittenSurface &surfa
 }
 
 /// Without gravity, or with.
-inline void shoot(const std::vector<SceneItem> &items, int count, std::uint64_t seed)
+inline void shoot(const std::vector<SceneItem> &items, int count, std::uint64_t own)
 {
     Ground ground(items);
     const WrittenSurface surface(items);
     const Sphere around = boundingSphere(items.front());
     Referee referee(surface);
-    std::mt19937_64 random(seed);
+    std::mt19937_64 random(seed(own));
     for (int round = 0; round < count; ++round) {
         Laws laws;
         laws.gravity *= random() % 2 == 0 ? 1.0 : 0.0;

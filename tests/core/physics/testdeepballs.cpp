@@ -50,7 +50,7 @@ struct Sponge {
 /// Above a sponge of size 3, in the free.
 std::vector<Ball> ballsOver(int count)
 {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     std::vector<Ball> balls;
     for (int i = 0; i < count; ++i) {
         Ball ball;
@@ -165,7 +165,7 @@ void TestDeepBalls::gravityInRadiiSuitsEachBall()
     for (const double size : {1.0, 1.0 / 1024.0, 64.0}) {
         Ground ground(boxMesh(4.0 * size));
         World world(ground.surface, inRadii());
-        std::mt19937_64 random(2);
+        std::mt19937_64 random(seed(2));
         for (int i = 0; i < 24; ++i) {
             const glm::dvec3 cell(i % 3 - 1, i / 9 - 1, i / 3 % 3 - 1);
             const double radius = i % 2 ? 0.8 : 1.1;
@@ -234,7 +234,7 @@ void TestDeepBalls::whatLeavesAPlaceIsHeldByTheScene()
     auto simulation = Simulation::start(sceneOf(items), options, {}).value();
     std::vector<double> speeds;
     const auto unit = std::exp2(Anchor::at(sceneOf(items), sponge.place)->surroundings()->unitExponent);
-    std::mt19937_64 random(8);
+    std::mt19937_64 random(seed(8));
     constexpr int count = 60;
     for (int i = 0; i < count; ++i) {
         // seen from outside, below and beside the whole, it is free

@@ -25,7 +25,7 @@ private Q_SLOTS:
 void TestExponential::itIsWithinTwoUnits()
 {
     using Wide = boost::multiprecision::cpp_bin_float_quad;
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     std::uniform_real_distribution<double> size(-12, 2.85);
     double worst = 0;
     for (int i = 0; i < 100'000; ++i) {

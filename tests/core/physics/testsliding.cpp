@@ -99,7 +99,7 @@ void TestSliding::coplanarFacesAndCopiesDoNotBump_data()
 void TestSliding::coplanarFacesAndCopiesDoNotBump()
 {
     QFETCH(const double, degrees);
-    std::mt19937_64 random(6);
+    std::mt19937_64 random(seed(6));
     const AffineMap place = mapFromParts({1, 2, 3}, {0, 0, degrees}, {1, 1, 1});
     std::vector<SceneItem> items;
     const auto model = modelOf(plate(8));

@@ -34,7 +34,7 @@ private Q_SLOTS:
 /// By the inequality that only the nearest point of a convex set fulfils: no point of it is ahead of what is missing.
 void TestSupports::whatIsAllowedIsTheNearest()
 {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     int changed = 0;
     for (int round = 0; round < 3000; ++round) {
         Supports supports;
@@ -77,7 +77,7 @@ void TestSupports::nothingIsLeftBetweenOpposites()
 
 void TestSupports::alongIsAcrossAll()
 {
-    std::mt19937_64 random(2);
+    std::mt19937_64 random(seed(2));
     for (int round = 0; round < 1000; ++round) {
         Supports supports;
         for (std::uint64_t i = random() % 4; i > 0; --i) {
@@ -112,7 +112,7 @@ void TestSupports::sameDirectionsCountOnce()
 
 void TestSupports::thereIsAnEndToThem()
 {
-    std::mt19937_64 random(3);
+    std::mt19937_64 random(seed(3));
     Supports supports;
     while (supports.count() < Supports::most) {
         QVERIFY(supports.add(randomDirection(random)));

@@ -44,7 +44,7 @@ void TestWalker::inTheOpenItGoesAllTheWay()
 void TestWalker::itEntersNothing()
 {
     Ground ground(QStringLiteral("menger"), 4);
-    std::mt19937_64 random(5);
+    std::mt19937_64 random(seed(5));
     const double radius = 0.02;
     for (int trial = 0; trial < 40; ++trial) {
         glm::dvec3 at = randomPoint(random, 1.4);

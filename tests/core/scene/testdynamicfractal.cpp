@@ -251,7 +251,7 @@ void TestDynamicFractal::fractalsStandWhereTheDissertationSays()
     QFETCH(const std::shared_ptr<const Model>, model);
     QFETCH(const written::Fractal, fractal);
     const auto scene = sceneWith({{.model = model, .worldFromModel = mapOf(fractal.m)}});
-    std::mt19937_64 random(11);
+    std::mt19937_64 random(seed(11));
     std::array<int, 3> cameras{};
     for (int i = 0; i < 200; ++i) {
         const written::Vector camera = written::randomCamera(fractal, random);

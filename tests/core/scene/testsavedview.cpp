@@ -46,7 +46,7 @@ private Q_SLOTS:
 /// All digits, any length.
 void TestSavedView::whatIsWrittenIsReadAgain()
 {
-    std::mt19937_64 random(1);
+    std::mt19937_64 random(seed(1));
     std::uniform_real_distribution<double> exponent(-150.0, 150.0);
     std::uniform_real_distribution<double> angle(-3.2, 3.2);
     const auto place = [&] { return (random() % 2 ? 1.0 : -1.0) * std::pow(10.0, exponent(random)); };

@@ -83,7 +83,7 @@ void TestSceneCollider::itFindsTheNearestOfAllItems()
     QFETCH(const Kind, kind);
     const bool proves = kind != Kind::Greedy && kind != Kind::Octree;
     const double excess = kind == Kind::Approximate ? 0.01 : 0.0;
-    std::mt19937_64 random(71);
+    std::mt19937_64 random(seed(71));
     for (int round = 0; round < 60; ++round) {
         const Written written = randomScene(random);
         const SceneCollider collider = colliderOf(sceneOf(written.items), kind);
@@ -144,7 +144,7 @@ void TestSceneCollider::itFindsWhatTheModelsColliderFinds_data()
 void TestSceneCollider::itFindsWhatTheModelsColliderFinds()
 {
     QFETCH(const Kind, kind);
-    std::mt19937_64 random(72);
+    std::mt19937_64 random(seed(72));
     const auto model = modelOf(QStringLiteral("tree"), 4);
     std::unique_ptr<Collider> alone;
     if (kind == Kind::Greedy) {
@@ -187,7 +187,7 @@ void TestSceneCollider::nothingBeyondTheRadiusCounts_data()
 void TestSceneCollider::nothingBeyondTheRadiusCounts()
 {
     QFETCH(const Kind, kind);
-    std::mt19937_64 random(73);
+    std::mt19937_64 random(seed(73));
     for (int round = 0; round < 30; ++round) {
         const auto scene = sceneOf(randomScene(random).items);
         const SceneCollider exact = colliderOf(scene, Kind::Exact);
@@ -221,7 +221,7 @@ void TestSceneCollider::whatWasFoundIsFoundAgainWithin_data()
 void TestSceneCollider::whatWasFoundIsFoundAgainWithin()
 {
     QFETCH(const Kind, kind);
-    std::mt19937_64 random(76);
+    std::mt19937_64 random(seed(76));
     for (int round = 0; round < 30; ++round) {
         const SceneCollider collider = colliderOf(sceneOf(randomScene(random).items), kind);
         const auto search = collider.search();
@@ -249,7 +249,7 @@ void TestSceneCollider::whatWasFoundIsFoundAgainWithin()
 
 void TestSceneCollider::aBudgetIsForAllItems()
 {
-    std::mt19937_64 random(74);
+    std::mt19937_64 random(seed(74));
     const auto model = modelOf(QStringLiteral("appendix-b"), 5);
     const SceneCollider collider = colliderOf(sceneOf(heapOf(model, random)), Kind::Exact);
     const auto search = collider.search();
@@ -342,7 +342,7 @@ void TestSceneCollider::placesOfEverySizeAreSearched()
 
 void TestSceneCollider::modelsShareTheirColliders()
 {
-    std::mt19937_64 random(75);
+    std::mt19937_64 random(seed(75));
     const auto model = modelOf(ball(60));
     const auto bytes = [&](int count, Kind kind, const glm::dvec3 &scale) {
         std::vector<SceneItem> items;
@@ -440,7 +440,7 @@ void TestSceneCollider::stoppingIsHeard()
 
 void TestSceneCollider::searchesDoNotAllocateOnceTheyHaveGrown()
 {
-    std::mt19937_64 random(76);
+    std::mt19937_64 random(seed(76));
     const auto model = modelOf(QStringLiteral("tree"), 6);
     std::vector<SceneItem> items;
     for (int i = 0; i < 20; ++i) {
@@ -453,7 +453,7 @@ void TestSceneCollider::searchesDoNotAllocateOnceTheyHaveGrown()
         std::size_t before = 0;
         for (int round = 0; round < 2; ++round) {
             before = allocationCount();
-            std::mt19937_64 same(77);
+            std::mt19937_64 same(seed(77));
             for (int i = 0; i < 100; ++i) {
                 search->closest({randomPoint(same, 9)}, hit);
             }

@@ -72,7 +72,7 @@ private Q_SLOTS:
 
     void theFewestLinesDiffer()
     {
-        std::mt19937_64 random(1);
+        std::mt19937_64 random(test::seed(1));
         for (int i = 0; i < 3'000; ++i) {
             const std::string before = randomText(random, 14);
             const std::string after = randomText(random, 14);
@@ -96,7 +96,7 @@ private Q_SLOTS:
 
     void editsMakeTheOneOfTheOther()
     {
-        std::mt19937_64 random(2);
+        std::mt19937_64 random(test::seed(2));
         for (int i = 0; i < 5'000; ++i) {
             const std::string before = randomText(random, 12);
             const std::string after = randomText(random, 12);
