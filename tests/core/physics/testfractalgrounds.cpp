@@ -115,7 +115,7 @@ void TestFractalGrounds::shotsTouchWhatIsThere()
         BallState ball = ballAt(start, radius, 1, length / laws.timeStep * along);
         const BallState before = ball;
         const StepReport report = stepBall(ball, laws, ground.probe, laws.timeStep);
-        const bool isOnItsWay = ball.velocity == before.velocity;
+        const bool isOnItsWay = report.contacts == 0; // between two walls velocities come back
         QVERIFY(std::abs(glm::length(ball.velocity) / glm::length(before.velocity) - 1) < 1e-12);
         QVERIFY(!report.isExhausted);
         if (way < 0.999 * length - radius) {
