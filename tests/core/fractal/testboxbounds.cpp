@@ -99,7 +99,8 @@ long double excess(const Box &box, const ExactBox &exact)
     long double largest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int i = static_cast<int>(axis);
-        for (const long double out : {exact.least[axis] - box.least[i], box.greatest[i] - exact.greatest[axis]}) {
+        for (long double out : {exact.least[axis] - box.least[i], box.greatest[i] - exact.greatest[axis]}) {
+            out = std::abs(out) < 1e-300L ? 0 : out; // what no double holds
             largest = std::max({largest, std::abs(exact.least[axis]), std::abs(exact.greatest[axis])});
             farthest = std::max(farthest, out);
             nearest = std::min(nearest, out);
