@@ -121,7 +121,7 @@ void TestRotation::anyAngleIsWithinTwoUnitsOfTheLastPlace()
 /// With every processor and C library: FNV-1a of the bits.
 void TestRotation::bitsAreTheSameEverywhere()
 {
-    std::mt19937_64 random(seed(5));
+    std::mt19937_64 random(5);
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (int i = 0; i < 100'000; ++i) {
         const CosSin both = cosSinOfDegrees(std::ldexp(static_cast<double>(random() >> 11), -53) * 720 - 360);
