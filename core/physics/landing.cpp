@@ -12,10 +12,22 @@ namespace romanesco {
 namespace {
 
 constexpr int mostResponses = 32;
+/// Of the room that there is: what would be as near in passing is touched. Sweeps stop there.
+constexpr double passing = 0.75;
 /// Of gravity: a force that is as little against a direction is along it.
 constexpr double alongShare = 1e-9;
 /// What a direction takes from a velocity, beside what goes along it.
 constexpr double mostOfBounce = 10.0;
+
+/// Whether going on with v would pass by something ahead, and not come nearer to it than to what is touched now: an edge within
+/// a plane that the ball lies on.
+bool isPassed(const BallStep &step, const glm::dvec3 &v, const Probe::Nearest &ahead)
+{
+    const double speed = glm::length(v);
+    const double side = glm::length(glm::cross(v, ahead.direction));
+    return step.room() > 0.0
+        && ahead.clearance * side >= speed * (step.radius() + passing * std::min(step.room(), step.skin()));
+}
 
 /// v, turned away from each direction by a little more than these may be off, so that none is found to be in the way again.
 glm::dvec3 leaning(const glm::dvec3 &v, const Supports &supports, double tilt)
@@ -135,7 +147,7 @@ void land(BallStep &step)
                 break;
             }
             const auto ahead = step.probe().nearest(ball.position, step.radius() + step.skin(), v);
-            if (!ahead.isFound || ahead.clearance > step.radius() + step.skin()) {
+            if (!ahead.isFound || ahead.clearance > step.radius() + step.skin() || isPassed(step, v, ahead)) {
                 break;
             }
             n = ahead.direction;

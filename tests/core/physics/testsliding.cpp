@@ -18,6 +18,8 @@ private Q_SLOTS:
     void onASlopeItIsTheClosedForm();
     void coplanarFacesAndCopiesDoNotBump_data();
     void coplanarFacesAndCopiesDoNotBump();
+    void anEdgeAheadDoesNotBump_data();
+    void anEdgeAheadDoesNotBump();
     void aWallIsSlidAlong();
     void alongAGrooveItIsTheClosedForm();
     void anEdgeLetsItFall();
@@ -123,6 +125,35 @@ void TestSliding::coplanarFacesAndCopiesDoNotBump()
                 QVERIFY(glm::distance(ball.velocity, v) < 1e-8);
                 QVERIFY(glm::distance(ball.position, start + step * laws.timeStep * v) < 1e-8);
             }
+        }
+    }
+}
+
+void TestSliding::anEdgeAheadDoesNotBump_data()
+{
+    QTest::addColumn<double>("ahead");
+    for (const double ahead : {0.05, 0.025, 0.01, 1e-3, 1e-5}) {
+        QTest::addRow("%g", ahead) << ahead;
+    }
+}
+
+/// What is within the skin is touched, and an edge within a plane may be: whether the ball is put down before it or falls there.
+void TestSliding::anEdgeAheadDoesNotBump()
+{
+    QFETCH(const double, ahead);
+    Ground ground(plate(8));
+    const Laws laws;
+    for (const double radius : {3.0, 0.3}) {
+        const glm::dvec3 start{4 - ahead * radius / 3, radius * (1 + 5e-5), 3.5};
+        BallState lying = ballAt(start, radius, 0.9, {5, 0, 0});
+        stepBall(lying, laws, ground.probe, laws.timeStep);
+        QVERIFY(glm::distance(lying.velocity, glm::dvec3(5, 0, 0)) < 1e-8);
+        // every bounce is less than what the edge would give
+        BallState falling = ballAt(start, radius, 0.2, {5, -0.03, 0});
+        for (int step = 1; step <= 5; ++step) {
+            stepBall(falling, laws, ground.probe, laws.timeStep);
+            QVERIFY2(std::abs(falling.velocity.x - 5) < 1e-8, qPrintable(QString::number(falling.velocity.x - 5)));
+            QVERIFY(falling.velocity.y <= 0.2 * (0.03 + step * laws.timeStep * 9.8));
         }
     }
 }
