@@ -115,7 +115,7 @@ void LocalSweep::measure(const Frame &frame, double from, double limit, double s
 void LocalSweep::measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const
 {
     const double unit = frame.at.unit;
-    touchPoint(box.centre() - frame.at.p, sphereIn(frame, frame.at.error), limit / unit, found);
+    touchPoint(box.centre() - frame.at.p, sphereIn(frame, 2.0 * frame.at.error), limit / unit, found);
     scale(found, unit);
 }
 

@@ -62,7 +62,7 @@ public:
 
     /// The face of the mesh in the frame that is touched first: see FaceSweep. Nothing of it is touched before `from`.
     void measure(const Frame &frame, double from, double limit, double slack, SweptFace &found);
-    /// The same for any point of a box that is too small to tell its points apart.
+    /// The same for all points of a box that is smaller than the error: they are taken for its middle.
     void measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const;
 
     /// Puts what was found in the frame at the end of a path into the model's. The way at which the sphere itself touches,

@@ -84,7 +84,7 @@ void RelativeSweep::measure(const Frame &frame, double from, double limit, doubl
 
 void RelativeSweep::measure(const Frame &frame, const Box &box, double limit, SweptFace &found) const
 {
-    touchPoint(frame.at.map(box.centre()), grown(frame.at.error), limit, found);
+    touchPoint(frame.at.map(box.centre()), grown(2.0 * frame.at.error), limit, found);
 }
 
 double RelativeSweep::finish(const Frame &, const SweptFace &found, std::span<const DescentStep>, double slack,

@@ -176,7 +176,7 @@ private:
         const BoundedStates::Bounds &bounds = m_states.bounds(step.state);
         const Frame frame = m_frames.child(node.frame, step, node.error);
         if (m_frames.sizeOf(frame, bounds) <= frame.error() || frame.unit() < leastUnit) {
-            settle(step, frame, bounds.box, way);
+            settle(step, frame, bounds.box);
         } else {
             m_path.push_back(step);
             visit(step, frame, way);
@@ -194,10 +194,9 @@ private:
     }
 
     /// All points of the branch are alike.
-    void settle(const DescentStep &step, const Frame &frame, const Box &box, double way)
+    void settle(const DescentStep &step, const Frame &frame, const Box &box)
     {
         ++m_cost.nodeVisits;
-        drop(way);
         m_frames.measure(frame, box, m_until, m_latest);
         m_path.push_back(step);
         take(frame);

@@ -59,7 +59,7 @@ HWY_INLINE Vector outside(Vector at, Vector half)
 /// The grown box has corners, where a sphere is round: wayTo() for BoxBody, seen from the box's middle.
 HWY_INLINE Vector wayToRound(const Point &start, const Point &along, const Point &half, Vector radius)
 {
-    constexpr int mostSteps = 6;
+    constexpr int mostSteps = 24;
     const Tag tag;
     const Vector zero = hn::Zero(tag);
     const Vector closeEnough = hn::Mul(hn::Set(tag, 1e-4), radius);
@@ -75,7 +75,9 @@ HWY_INLINE Vector wayToRound(const Point &start, const Point &along, const Point
         const Vector more = hn::IfThenElse(hn::Gt(closing, zero), hn::Div(hn::Mul(gap, length), closing), hn::Inf(tag));
         goesOn = hn::And(goesOn, isSize(gap));
         way = hn::Add(way, hn::IfThenElseZero(goesOn, more));
-        goesOn = hn::And(goesOn, hn::And(hn::Gt(more, closeEnough), hn::Lt(way, hn::Inf(tag))));
+        // as there: where it nearly glides along, steps that are long lead to little
+        const auto isFar = hn::Gt(hn::Mul(more, length), hn::Mul(closeEnough, closing));
+        goesOn = hn::And(goesOn, hn::And(isFar, hn::Lt(way, hn::Inf(tag))));
     }
     return way;
 }

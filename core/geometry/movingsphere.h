@@ -2,9 +2,12 @@
 // SPDX-FileCopyrightText: Romanesco authors
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
 #include "affinemap.h"
@@ -67,13 +70,14 @@ struct HullBody {
 template<typename Body>
 [[nodiscard]] double wayTo(const Body &body, const MovingSphere &sphere, double from, double until)
 {
-    constexpr int mostSteps = 16;
+    constexpr int mostSteps = 24;
     const double closeEnough = 1e-4 * sphere.radius;
     double way = from;
     for (int step = 0; step < mostSteps && way < until; ++step) {
-        const double before = way;
-        way = body.planeFrom(way * sphere.direction).wayOf(sphere, way);
-        if (way - before <= closeEnough) {
+        const SupportPlane plane = body.planeFrom(way * sphere.direction);
+        const double before = std::exchange(way, plane.wayOf(sphere, way));
+        // where it nearly glides along, even a long step may end far from a touch
+        if (way - before <= closeEnough * std::max(0.0, glm::dot(plane.normal, sphere.direction))) {
             break;
         }
     }
