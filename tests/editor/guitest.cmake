@@ -24,5 +24,7 @@ function(romanesco_gui_test folder source platform)
     else()
         # With a display in sight, this platform would find OpenGL on it.
         set_tests_properties(${folder}.${class} PROPERTIES ENVIRONMENT_MODIFICATION "DISPLAY=unset:")
+        set_property(TEST ${folder}.${class} APPEND PROPERTY LABELS offscreen)
+        add_dependencies(offscreen_tests ${program})
     endif()
 endfunction()
