@@ -1,142 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
-#include <QAction>
 #include <QComboBox>
-#include <QDockWidget>
 #include <QFileDialog>
 #include <QHeaderView>
-#include <QLabel>
-#include <QMenu>
-#include <QMenuBar>
 #include <QProgressBar>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QStatusBar>
-#include <QTableView>
 #include <QToolTip>
 
-#include "app/window/measurecontroller.h"
-#include "app/window/measurepane.h"
-#include "app/window/measureplot.h"
 #include "app/window/measureview.h"
-#include "app/window/physicschoices.h"
-#include "app/window/physicscontroller.h"
 #include "app/window/qualitycontrol.h"
-#include "windowsample.h"
+#include "measuresample.h"
 
 using namespace romanesco;
+using namespace romanesco::test;
 using Sample = romanesco::test::WindowSample;
 
 namespace {
-
-/// A cube, which all ways find fast.
-constexpr auto cube = "c (0, 0, -12) # 8\no \"cube.obj\" #\n";
-/// 2^24 cubes in a row: too many to be written out.
-constexpr auto row = "v 1 0 0\nv -1 0 0\nhalf 0.5 0.5 0.5\nx. \"cube.obj\"\nt.p. (p, #, half)\n"
-                     "z<x>. [t.1, t.2] x\n<$>. z 24\n";
-constexpr auto nowhere = "c (0, 0, -12) # 8\n";
-
-struct MeasureSample : Sample {
-    MeasurePane &panel = *window.findChild<MeasurePane *>();
-    MeasureController &controller = *window.findChild<MeasureController *>();
-    QDockWidget &dock = *window.findChild<QDockWidget *>(QStringLiteral("measure"));
-    QSignalSpy finished{&controller, &MeasureController::finished};
-
-    template<typename Widget>
-    Widget &named(const QString &name) const
-    {
-        for (auto *widget : panel.findChildren<Widget *>()) {
-            if (widget->accessibleName() == name) {
-                return *widget;
-            }
-        }
-        qFatal("there is no %s", qPrintable(name));
-    }
-    QPushButton &button(const QString &words) const
-    {
-        for (auto *found : panel.findChildren<QPushButton *>()) {
-            if (found->text().remove(u'&').startsWith(words)) {
-                return *found;
-            }
-        }
-        qFatal("there is no %s", qPrintable(words));
-    }
-    /// By the menu.
-    void open() const
-    {
-        for (const QMenu *menu : window.menuBar()->findChildren<QMenu *>()) {
-            for (QAction *action : menu->actions()) {
-                if (menu->title() == QLatin1String("&Window") && action->text() == QLatin1String("Measure")) {
-                    action->trigger();
-                    return;
-                }
-            }
-        }
-        qFatal("there is no panel");
-    }
-    bool begin(const char *text, const QString &name = QStringLiteral("scene.sdo"))
-    {
-        if (!QFile::exists(path(QStringLiteral("cube.obj")))
-            && !QFile::copy(QStringLiteral(":/examples/cube.obj"), path(QStringLiteral("cube.obj")))) {
-            return false;
-        }
-        window.resize(1280, 800);
-        open();
-        return window.openFile(write(name, text)) && waitUntilActive()
-            && QTest::qWaitFor([&] { return button(QStringLiteral("Measure")).isEnabled(); }, 60'000);
-    }
-    void press(QPushButton &button) const { QTest::mouseClick(&button, Qt::LeftButton); }
-    bool waitForEnd()
-    {
-        const auto before = finished.count();
-        const bool isDone = QTest::qWaitFor([&] { return finished.count() > before; }, 120'000);
-        QCoreApplication::processEvents(); // the plot is drawn soon
-        return isDone;
-    }
-    bool measure()
-    {
-        press(button(QStringLiteral("Measure")));
-        return waitForEnd();
-    }
-    bool cancel()
-    {
-        press(button(QStringLiteral("Cancel")));
-        return waitForEnd();
-    }
-    /// For the first time: they come first, and the rest is left out.
-    bool measureColliders()
-    {
-        press(button(QStringLiteral("Measure")));
-        return QTest::qWaitFor([&] { return !names().isEmpty(); }, 120'000) && cancel();
-    }
-    [[nodiscard]] QString words() const { return named<QLabel>(QStringLiteral("What was measured")).text(); }
-    [[nodiscard]] QTableView &table() const { return named<QTableView>(QStringLiteral("Figures")); }
-    [[nodiscard]] QStringList names() const
-    {
-        QStringList names;
-        for (int i = 0; i < table().model()->rowCount(); ++i) {
-            names << cell(i, 0);
-        }
-        return names;
-    }
-    [[nodiscard]] QString cell(int line, int column) const
-    {
-        return table().model()->index(line, column).data().toString();
-    }
-    [[nodiscard]] QString chosen() const
-    {
-        const QModelIndexList rows = table().selectionModel()->selectedRows();
-        return rows.isEmpty() ? QString() : rows.first().data().toString();
-    }
-    [[nodiscard]] MeasurePlot &plot() const { return *panel.findChild<MeasurePlot *>(); }
-    /// What takes the mouse there.
-    [[nodiscard]] QWidget &canvas() const { return *plot().findChild<QWidget *>(); }
-    /// Where the point of a row of the trial is.
-    [[nodiscard]] QPoint placeOf(std::size_t point) const { return plot().placeOf(point).toPoint(); }
-    void show(const QString &part) const { named<QComboBox>(QStringLiteral("What is shown")).setCurrentText(part); }
-    [[nodiscard]] const PhysicsChoices &physics() const { return *window.findChild<PhysicsChoices *>(); }
-    [[nodiscard]] QString said() const { return window.findChild<QStatusBar *>()->currentMessage(); }
-};
 
 const QStringList colliders{"exact",
                             "approximate 1e-6",
@@ -168,14 +46,9 @@ private Q_SLOTS:
     void tolerancesAreUsed();
     void depthsAndDigitsAreShown();
     void cancellingKeepsWhatWasThere();
-    void theTextIsEditedMeanwhile();
-    void errorsLeaveTheLastGoodVersion();
-    void whatCannotBeMeasuredIsSaid();
-    void ballsThatFallAreAsked();
     void thePageIsWritten();
     void coloursAreThoseOfThePalette();
     void anUprightPanelHasAllOneAboveTheOther();
-    void theWindowClosesMeanwhile();
 };
 
 void TestMeasurePane::nothingIsMadeBeforeItIsOpened()
@@ -451,80 +324,6 @@ void TestMeasurePane::cancellingKeepsWhatWasThere()
     QCOMPARE(sample.names().size(), 12);
 }
 
-void TestMeasurePane::theTextIsEditedMeanwhile()
-{
-    MeasureSample sample;
-    QVERIFY(sample.begin(cube));
-    sample.press(sample.button(QStringLiteral("Measure")));
-    FdoEditor &editor = sample.visibleEditor();
-    editor.setFocus();
-    QTest::keyClick(&editor, Qt::Key_End, Qt::ControlModifier);
-    QTest::keyClicks(&editor, QStringLiteral("o \"cube.obj\" ((4, 0, 0), #, #)"));
-    QVERIFY(sample.waitForEnd());
-    const QString older = QStringLiteral("The figures are of an older text.");
-    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(older); }, 20'000));
-    QVERIFY(sample.words().contains(QStringLiteral("12 faces")));
-    sample.press(sample.button(QStringLiteral("Measure")));
-    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(QStringLiteral("24 faces")); }, 120'000));
-    QVERIFY(!sample.words().contains(older));
-    // another text
-    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("other.sdo"), cube)));
-    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(QStringLiteral("of “scene.sdo”")); }, 20'000));
-}
-
-void TestMeasurePane::errorsLeaveTheLastGoodVersion()
-{
-    MeasureSample sample;
-    QVERIFY(sample.begin(cube));
-    QTest::keyClicks(&sample.visibleEditor(), QStringLiteral("nonsense "));
-    const QString lastGood = QStringLiteral("its last good version");
-    QVERIFY(QTest::qWaitFor([&] { return sample.words().contains(lastGood); }, 20'000));
-    QVERIFY(sample.measureColliders());
-    QVERIFY(sample.words().contains(QStringLiteral("12 faces")));
-    QVERIFY(sample.words().contains(lastGood));
-    // where there was none
-    QVERIFY(sample.window.openFile(sample.write(QStringLiteral("bad.fdo"), "nonsense\n")));
-    const QPushButton &measure = sample.button(QStringLiteral("Measure"));
-    QVERIFY(QTest::qWaitFor([&] { return !measure.isEnabled() && sample.words().contains(QStringLiteral("errors")); },
-                            20'000));
-    QVERIFY(measure.toolTip().startsWith(QStringLiteral("There is nothing to measure")));
-}
-
-void TestMeasurePane::whatCannotBeMeasuredIsSaid()
-{
-    MeasureSample sample;
-    QVERIFY(sample.begin(nowhere));
-    QVERIFY(sample.measure());
-    QVERIFY2(sample.words().contains(QStringLiteral("There is no surface to measure.")), qPrintable(sample.words()));
-    QVERIFY(sample.names().isEmpty());
-    QVERIFY(!sample.button(QStringLiteral("Export")).isEnabled());
-    QVERIFY(!sample.button(QStringLiteral("Export")).toolTip().isEmpty());
-}
-
-void TestMeasurePane::ballsThatFallAreAsked()
-{
-    MeasureSample sample;
-    QVERIFY(sample.begin(cube));
-    QVERIFY(sample.measureColliders());
-    QComboBox &queries = sample.named<QComboBox>(QStringLiteral("From where"));
-    QCOMPARE(queries.findText(QStringLiteral("balls")), -1);
-    for (QAction *action : sample.window.findChildren<QAction *>()) {
-        if (action->iconText() == QLatin1String("Rain")) {
-            action->trigger();
-        }
-    }
-    const auto *physics = sample.window.findChild<PhysicsController *>();
-    QVERIFY(QTest::qWaitFor([&] { return physics->balls().has_value(); }, 20'000));
-    QCOMPARE(physics->balls()->size(), 100U);
-    sample.press(sample.button(QStringLiteral("Measure")));
-    QVERIFY(QTest::qWaitFor([&] { return queries.findText(QStringLiteral("balls")) >= 0; }, 120'000));
-    queries.setCurrentText(QStringLiteral("balls"));
-    QVERIFY(sample.words().contains(QStringLiteral("as the balls of the scene ask")));
-    // the radius of those that were dropped: 2 % of a side of 3
-    QVERIFY(sample.words().contains(QStringLiteral("a ball of radius 0.06,"))
-            || sample.words().contains(QStringLiteral("a ball of radius 0.06.")));
-}
-
 void TestMeasurePane::thePageIsWritten()
 {
     MeasureSample sample;
@@ -581,17 +380,6 @@ void TestMeasurePane::anUprightPanelHasAllOneAboveTheOther()
     QVERIFY(QTest::qWaitFor([&] { return sample.panel.width() < sample.panel.height(); }));
     QVERIFY(QTest::qWaitFor([&] { return sample.table().x() == sample.plot().x(); }));
     QVERIFY(sample.table().y() > sample.plot().y());
-}
-
-/// Whoever waits for it would wait for seconds.
-void TestMeasurePane::theWindowClosesMeanwhile()
-{
-    MeasureSample sample;
-    QVERIFY(sample.begin(row, QStringLiteral("row.fdo")));
-    sample.press(sample.button(QStringLiteral("Measure")));
-    const QProgressBar &bar = sample.named<QProgressBar>(QStringLiteral("How far measuring is"));
-    QVERIFY(QTest::qWaitFor([&] { return bar.value() > 0; }, 60'000));
-    QVERIFY(sample.window.close());
 }
 
 int main(int argc, char **argv)
