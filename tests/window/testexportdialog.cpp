@@ -1,153 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // SPDX-FileCopyrightText: Romanesco authors
-#include <array>
-#include <csignal>
-
-#include <linux/capability.h>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <sys/syscall.h>
-#include <unistd.h>
-
-#include <QCheckBox>
 #include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QProgressBar>
-#include <QPushButton>
-#include <QSpinBox>
 
-#include "app/window/exportdialog.h"
 #include "app/window/exportwords.h"
-#include "app/window/messagestrip.h"
-#include "core/scene/sceneloader.h"
-#include "tests/window/documentsample.h"
+#include "exportsample.h"
 
 using namespace romanesco;
 using namespace romanesco::test;
+using Sample = romanesco::test::ExportSample;
 
 namespace {
-
-const QByteArray triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
-/// Each level doubles the copies, and none coincide.
-QByteArray dust(int depth)
-{
-    return "v 0 0 0\nv 3 0 0\nsmall 0.4 0.4 0.4\nx. \"triangle.obj\"\nt.p. (p, #, small)\n"
-           "z<x>. [t.1, t.2] x\n<$>. z "
-        + QByteArray::number(depth) + '\n';
-}
-
-struct Sample {
-    Folders folders;
-    std::unique_ptr<ExportDialog> dialog;
-    QString path;
-    QStringList exported;
-    QStringList before;
-
-    explicit Sample(int depth, const QString &name = QStringLiteral("out.obj"))
-        : path(folders.path(name))
-    {
-        const QString mesh = folders.write(QStringLiteral("triangle.obj"), triangle);
-        const QString text = folders.write(QStringLiteral("dust.fdo"), dust(depth));
-        before = folders.names();
-        const DiskFiles files;
-        const std::string file = text.toStdString();
-        auto scene = SceneLoader(files).load(file, dust(depth).toStdString()).scene;
-        if (!scene) {
-            qFatal("the text has errors");
-        }
-        dialog = std::make_unique<ExportDialog>(ExportSource{scene, QStringLiteral("dust.fdo"), {mesh, text}}, path);
-        QObject::connect(dialog.get(), &ExportDialog::exported, dialog.get(),
-                         [this](const QString &to, quint64 bytes, const QString &remarks) {
-                             exported += {to, QString::number(bytes), remarks};
-                         });
-        dialog->show();
-    }
-
-    template<typename Widget>
-    [[nodiscard]] Widget &the() const
-    {
-        return *dialog->findChild<Widget *>();
-    }
-    [[nodiscard]] QPushButton &button(const QString &start) const
-    {
-        for (QPushButton *each : dialog->findChildren<QPushButton *>()) {
-            if (each->text().remove(u'&').startsWith(start)) {
-                return *each;
-            }
-        }
-        qFatal("there is no such button");
-    }
-    [[nodiscard]] QCheckBox &box(const QString &word) const
-    {
-        for (QCheckBox *each : dialog->findChildren<QCheckBox *>()) {
-            if (each->text().contains(word)) {
-                return *each;
-            }
-        }
-        qFatal("there is no such box");
-    }
-    [[nodiscard]] QLineEdit &file() const
-    {
-        for (QLineEdit *each : dialog->findChildren<QLineEdit *>()) {
-            if (!qobject_cast<QSpinBox *>(each->parentWidget())) {
-                return *each;
-            }
-        }
-        qFatal("there is no field");
-    }
-    [[nodiscard]] QString trouble() const { return the<MessageStrip>().text(); }
-    /// All that the dialog says in words.
-    [[nodiscard]] QString words() const
-    {
-        QStringList all;
-        for (const QLabel *label : dialog->findChildren<QLabel *>()) {
-            all += label->text();
-        }
-        return all.join(u'\n');
-    }
-    [[nodiscard]] bool waitForEstimate() const
-    {
-        return QTest::qWaitFor([this] { return dialog->isEstimated(); }, 10'000);
-    }
-    [[nodiscard]] bool waitForEnd() const
-    {
-        return QTest::qWaitFor([this] { return !dialog->isExporting(); }, 60'000);
-    }
-    [[nodiscard]] bool waitForBytes() const
-    {
-        return QTest::qWaitFor([this] { return the<QProgressBar>().value() > 0; }, 10'000);
-    }
-    /// Beside the files that were there before.
-    [[nodiscard]] QStringList written() const
-    {
-        QStringList names = folders.names();
-        names.removeIf([this](const QString &name) { return before.contains(name); });
-        return names;
-    }
-};
-
-/// Takes from this thread, and those that it starts, what the superuser may do to every file.
-class PlainUser
-{
-public:
-    PlainUser()
-    {
-        ::syscall(SYS_capget, &m_header, m_old.data());
-        auto fewer = m_old;
-        fewer[0].effective &= ~(1u << CAP_DAC_OVERRIDE | 1u << CAP_DAC_READ_SEARCH);
-        ::syscall(SYS_capset, &m_header, fewer.data());
-    }
-    ~PlainUser() { ::syscall(SYS_capset, &m_header, m_old.data()); }
-    PlainUser(const PlainUser &) = delete;
-    PlainUser &operator=(const PlainUser &) = delete;
-
-private:
-    __user_cap_header_struct m_header{_LINUX_CAPABILITY_VERSION_3, 0};
-    std::array<__user_cap_data_struct, 2> m_old{};
-};
 
 /// The lines of a text that start so.
 qsizetype lines(const QByteArray &text, const QByteArray &start)
@@ -157,6 +19,7 @@ qsizetype lines(const QByteArray &text, const QByteArray &start)
 
 }
 
+/// What the dialog offers and forecasts, and what is written then.
 class TestExportDialog : public QObject
 {
     Q_OBJECT
@@ -176,15 +39,6 @@ private Q_SLOTS:
     void sizesAndTimesAreTold();
     void tooManyFacesCannotBeStarted_data();
     void tooManyFacesCannotBeStarted();
-    void cancellingLeavesNoFile();
-    void cancellingLeavesTheOldFile();
-    void closingCancels();
-    void closingAsksAfterAWhile();
-    void theQuestionGoesWithTheExport();
-    void destroyingCancels();
-    void whatCannotBeWrittenIsSaid_data();
-    void whatCannotBeWrittenIsSaid();
-    void aFullDiskIsSaid();
     void whatTheSceneIsMadeFromStays();
     void anOldFileIsReplacedOnlyKnowingly();
     void keysAreEnough();
@@ -374,161 +228,6 @@ void TestExportDialog::tooManyFacesCannotBeStarted()
     QVERIFY2(sample.trouble().contains(words), qPrintable(sample.trouble()));
     QVERIFY(!sample.button(QStringLiteral("Export")).isEnabled());
     QVERIFY(!sample.dialog->isExporting());
-    QCOMPARE(sample.written(), QStringList());
-}
-
-void TestExportDialog::cancellingLeavesNoFile()
-{
-    Sample sample(22);
-    QVERIFY(sample.waitForEstimate());
-    sample.button(QStringLiteral("Export")).click();
-    QVERIFY(sample.dialog->isExporting());
-    QVERIFY(!sample.file().isEnabled());
-    QVERIFY(sample.waitForBytes());
-    QVERIFY2(sample.words().contains(QRegularExpression(QStringLiteral("of about .*B, about .* left"))),
-             qPrintable(sample.words()));
-    QVERIFY(sample.the<QProgressBar>().value() < sample.the<QProgressBar>().maximum());
-    sample.button(QStringLiteral("Cancel")).click();
-    QVERIFY(sample.waitForEnd());
-    QCOMPARE(sample.written(), QStringList());
-    QVERIFY(sample.dialog->isVisible());
-    QVERIFY2(sample.trouble().contains(QStringLiteral("cancelled")), qPrintable(sample.trouble()));
-    QVERIFY(sample.the<QProgressBar>().isHidden());
-    QVERIFY(sample.file().isEnabled());
-    QVERIFY(sample.button(QStringLiteral("Export")).isEnabled());
-    QVERIFY(sample.exported.isEmpty());
-}
-
-void TestExportDialog::cancellingLeavesTheOldFile()
-{
-    Sample sample(22);
-    QVERIFY(sample.waitForEstimate());
-    std::ignore = sample.folders.write(QStringLiteral("out.obj"), "old");
-    // it was not there when the forecast was made, and nobody has been told
-    sample.button(QStringLiteral("Export")).click();
-    QVERIFY(!sample.dialog->isExporting());
-    QTRY_VERIFY(sample.words().contains(QStringLiteral("will be replaced")));
-    QVERIFY(!sample.dialog->isExporting());
-    sample.button(QStringLiteral("Replace")).click();
-    QVERIFY(sample.waitForBytes());
-    sample.button(QStringLiteral("Cancel")).click();
-    QVERIFY(sample.waitForEnd());
-    QCOMPARE(Folders::read(sample.path), QByteArray("old"));
-    QCOMPARE(sample.written(), QStringList{QStringLiteral("out.obj")});
-}
-
-void TestExportDialog::closingCancels()
-{
-    Sample sample(22);
-    QVERIFY(sample.waitForEstimate());
-    sample.button(QStringLiteral("Export")).click();
-    QVERIFY(sample.waitForBytes());
-    QTest::keyClick(sample.dialog.get(), Qt::Key_Escape);
-    QVERIFY(!sample.dialog->findChild<QMessageBox *>());
-    QVERIFY(sample.waitForEnd());
-    QVERIFY(sample.dialog->isHidden());
-    QCOMPARE(sample.dialog->result(), int(QDialog::Rejected));
-    QCOMPARE(sample.written(), QStringList());
-}
-
-void TestExportDialog::closingAsksAfterAWhile()
-{
-    Sample sample(22);
-    sample.dialog->setPatience(std::chrono::milliseconds(-1));
-    QVERIFY(sample.waitForEstimate());
-    sample.button(QStringLiteral("Export")).click();
-    QVERIFY(sample.waitForBytes());
-    sample.dialog->close();
-    QPointer<QMessageBox> question = sample.dialog->findChild<QMessageBox *>();
-    QVERIFY(question);
-    question->reject();
-    QVERIFY(sample.dialog->isExporting());
-    QVERIFY(sample.dialog->isVisible());
-    QTRY_VERIFY(!question);
-    sample.dialog->close();
-    question = sample.dialog->findChild<QMessageBox *>();
-    QVERIFY(question);
-    sample.button(QStringLiteral("Stop and Close")).click();
-    QVERIFY(sample.waitForEnd());
-    QVERIFY(sample.dialog->isHidden());
-    QCOMPARE(sample.written(), QStringList());
-}
-
-void TestExportDialog::theQuestionGoesWithTheExport()
-{
-    Sample sample(18);
-    sample.dialog->setPatience(std::chrono::milliseconds(-1));
-    QVERIFY(sample.waitForEstimate());
-    sample.button(QStringLiteral("Export")).click();
-    sample.dialog->close();
-    const QPointer<QMessageBox> question = sample.dialog->findChild<QMessageBox *>();
-    QVERIFY(question);
-    QVERIFY(sample.waitForEnd());
-    QTRY_VERIFY(!question);
-    QVERIFY(sample.dialog->isHidden());
-    QCOMPARE(sample.exported.size(), 3);
-}
-
-void TestExportDialog::destroyingCancels()
-{
-    Sample sample(22);
-    QVERIFY(sample.waitForEstimate());
-    sample.button(QStringLiteral("Export")).click();
-    QVERIFY(sample.waitForBytes());
-    sample.dialog.reset();
-    QCOMPARE(sample.written(), QStringList());
-}
-
-void TestExportDialog::whatCannotBeWrittenIsSaid_data()
-{
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<QString>("reason");
-    QTest::newRow("pipe") << "pipe" << "it is not a regular file";
-    QTest::newRow("device") << "device" << "it is not a regular file";
-    QTest::newRow("folder") << "folder" << "it is a directory";
-    QTest::newRow("no folder") << "missing/out.obj" << "no such folder";
-    QTest::newRow("read-only") << "locked/out.obj" << "permission denied";
-}
-
-void TestExportDialog::whatCannotBeWrittenIsSaid()
-{
-    QFETCH(const QString, name);
-    QFETCH(const QString, reason);
-    Sample sample(3);
-    QCOMPARE(::mkfifo(QFile::encodeName(sample.folders.path(QStringLiteral("pipe"))).constData(), 0600), 0);
-    // by a link, so that no fault can harm the device itself
-    QVERIFY(QFile::link(QStringLiteral("/dev/full"), sample.folders.path(QStringLiteral("device"))));
-    QVERIFY(QDir(sample.folders.own.path()).mkdir(QStringLiteral("folder")));
-    QVERIFY(QDir(sample.folders.own.path()).mkdir(QStringLiteral("locked")));
-    QCOMPARE(::chmod(QFile::encodeName(sample.folders.path(QStringLiteral("locked"))).constData(), 0500), 0);
-    const QStringList before = sample.folders.names();
-    sample.file().setText(name);
-    QVERIFY(sample.waitForEstimate());
-    const PlainUser user;
-    sample.button(QFileInfo::exists(sample.dialog->path()) ? QStringLiteral("Replace") : QStringLiteral("Export"))
-        .click();
-    QVERIFY(sample.waitForEnd());
-    QVERIFY(sample.dialog->isVisible());
-    QVERIFY2(sample.trouble().contains(QStringLiteral("was not written: ") + reason), qPrintable(sample.trouble()));
-    QVERIFY(sample.trouble().contains(sample.dialog->path()));
-    QCOMPARE(sample.folders.names(), before);
-}
-
-/// As near as a test comes to it without one.
-void TestExportDialog::aFullDiskIsSaid()
-{
-    Sample sample(18);
-    QVERIFY(sample.waitForEstimate());
-    std::signal(SIGXFSZ, SIG_IGN); // as the program does
-    rlimit old{};
-    QCOMPARE(::getrlimit(RLIMIT_FSIZE, &old), 0);
-    const rlimit small{1'000'000, old.rlim_max};
-    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    sample.button(QStringLiteral("Export")).click();
-    const bool hasEnded = sample.waitForEnd();
-    QCOMPARE(::setrlimit(RLIMIT_FSIZE, &old), 0);
-    QVERIFY(hasEnded);
-    QVERIFY2(sample.trouble().contains(QStringLiteral("larger than a file may be")), qPrintable(sample.trouble()));
     QCOMPARE(sample.written(), QStringList());
 }
 
