@@ -257,7 +257,7 @@ void TestPhysics::deepInsideBallsAreAsSmallAsWhatIsSeen()
     const double radius = sample.balls.data(sample.balls.index(0, BallModel::Radius), Qt::DisplayRole).toDouble();
     QVERIFY(radius > 1e-26 && radius < 1e-23);
     QVERIFY(sample.waitForStep(10));
-    QVERIFY(sample.orangePixels() > before + 20);
+    QVERIFY(QTest::qWaitFor([&] { return sample.orangePixels() > before + 20; }, 5'000));
     QVERIFY(sample.waitForRest(0));
     const auto *ball = sample.physics.inspector().ballAt(place);
     QVERIFY(ball);
@@ -531,6 +531,9 @@ void TestPhysics::whoWalksEntersNothing()
     PhysicsSample sample;
     QVERIFY(sample.begin("c (0, 0, -8) # 60\no \"cube.obj\" #\n"));
     QVERIFY(QTest::qWaitFor([&] { return sample.viewport.isPictureFinished(); }, 60'000));
+    // the pace is a part of the way ahead, which is known once the mouse is there
+    QTest::mouseMove(&sample.viewport, sample.viewport.rect().center());
+    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 60'000));
     const auto place = [&] { return sample.viewport.view().cameraInWorld().position; };
     sample.action(QStringLiteral("Gravity While Walking"))->setChecked(false);
     sample.press(Qt::Key_V);
