@@ -3,160 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <format>
 #include <random>
 
 #include <QTest>
 #include <glm/geometric.hpp>
 
 #include "core/scene/anchor.h"
-#include "core/scene/sceneraywalk.h"
+#include "tests/core/scene/borders.h"
 #include "tests/core/scene/longplaces.h"
 #include "tests/testmain.h"
 
 namespace romanesco::test {
 
 namespace {
-
-std::string withMaps(const std::vector<std::string> &maps, int depth)
-{
-    std::string text = "x. \"m.obj\"\n";
-    std::string names;
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string name = std::to_string(i);
-        text += std::format("m{}. {}\n", i, maps[i]);
-        names += (i ? ", m" : "m") + name;
-    }
-    return std::format("{}z<x>. [{}] x\n<$>. z {}\n", text, names, depth);
-}
-
-using Cell = std::array<int, 3>;
-
-/// Of 64 cells those on the surface, but for the middles of its sides: their places are exact, as a third's are not.
-std::vector<Cell> shellCells()
-{
-    std::vector<Cell> cells;
-    for (int i = 0; i < 64; ++i) {
-        const Cell cell{i % 4, i / 4 % 4, i / 16};
-        if (std::ranges::count_if(cell, [](int x) { return x == 1 || x == 2; }) < 2) {
-            cells.push_back(cell);
-        }
-    }
-    return cells;
-}
-
-std::uint32_t shellMap(const Cell &cell)
-{
-    const std::vector<Cell> cells = shellCells();
-    return static_cast<std::uint32_t>(std::ranges::find(cells, cell) - cells.begin());
-}
-
-/// A vector is three numbers in a line of its own.
-std::string text(const std::vector<std::array<std::string, 3>> &maps, int depth)
-{
-    std::string vectors;
-    std::vector<std::string> parts;
-    for (const auto &map : maps) {
-        for (const std::string &part : map) {
-            vectors += "v " + part + "\n";
-        }
-        const std::size_t last = 3 * parts.size() + 3;
-        parts.push_back(std::format("({}, {}, {})", last - 2, last - 1, last));
-    }
-    return vectors + withMaps(parts, depth);
-}
-
-/// A way down on which another, which parts from it at once, comes as near all the time.
-struct Border {
-    std::shared_ptr<const Scene> scene;
-    std::vector<std::uint32_t> path;
-    std::size_t otherItem = 0;
-    std::vector<std::uint32_t> other;
-};
-
-Border borderOf(const QString &name, std::size_t depth)
-{
-    const int levels = static_cast<int>(depth) + 5;
-    Border border;
-    if (name == QLatin1String("point") || name == QLatin1String("items")) {
-        const auto model = modelOf(QStringLiteral("sierpinski"), depth + 5);
-        border.path.assign(depth, 1);
-        border.other.assign(depth, 0);
-        border.scene = sceneOf({{.model = model}, {.model = model, .worldFromModel = {glm::dmat3(1.0), {2, 0, 0}}}});
-        border.otherItem = 1;
-        if (name == QLatin1String("point")) {
-            border.scene = sceneOf({{.model = model}});
-            border.otherItem = 0;
-            std::swap(border.path[0], border.other[0]);
-        }
-        return border;
-    }
-    if (name == QLatin1String("turned") || name == QLatin1String("uneven")) {
-        // copies of one place, in which the third map stays at the origin
-        const bool isTurned = name == QLatin1String("turned");
-        border.scene =
-            sceneOf({{.model = modelOf(
-                          text({{"0.75 0.5 0.5", "10 20 30", "0.25 0.25 0.25"},
-                                {"0.75 0.5 0.5", "-100 50 170", isTurned ? "0.25 0.25 0.25" : "0.2 0.3 0.25"},
-                                {"0 0 0", isTurned ? "33 71 -12" : "0 0 90", isTurned ? "0.5 0.5 0.5" : "0.5 0.32 0.4"},
-                                {"-0.6 0.7 0.1", "60 0 10", "0.3 0.3 0.3"}},
-                               levels)),
-                      .worldFromModel = mapFromParts({1, 2, 3}, {10, 20, 30}, glm::dvec3(3))}});
-        border.path.assign(depth, 2);
-        border.other.assign(depth, 2);
-        border.path[0] = 0;
-        border.other[0] = 1;
-        // not quite to where they touch
-        std::ranges::fill(std::span(border.path).last(2), 3);
-        return border;
-    }
-    std::vector<std::array<std::string, 3>> maps;
-    for (const Cell &cell : shellCells()) {
-        maps.push_back(
-            {std::format("{} {} {}", 0.75 * cell[0], 0.75 * cell[1], 0.75 * cell[2]), "0 0 0", "0.25 0.25 0.25"});
-    }
-    border.scene = sceneOf({{.model = modelOf(text(maps, levels))}});
-    const bool isEdge = name == QLatin1String("edge");
-    border.path.push_back(shellMap({0, 0, 0}));
-    border.other.push_back(shellMap({1, 0, 0}));
-    std::mt19937_64 random(seed(9));
-    while (border.path.size() < depth) {
-        const int across = isEdge ? 3 : static_cast<int>(random() % 4);
-        const int along = across % 3 ? 0 : static_cast<int>(random() % 4);
-        border.path.push_back(shellMap({3, across, along}));
-        border.other.push_back(shellMap({0, across, along}));
-    }
-    return border;
-}
-
-Anchor anchorAt(const Border &border)
-{
-    Anchor anchor(border.scene);
-    if (!anchor.enter({0, 0})) {
-        qFatal("no item");
-    }
-    for (const std::uint32_t map : border.path) {
-        if (!anchor.enter({0, map})) {
-            qFatal("no way");
-        }
-    }
-    return anchor;
-}
-
-std::vector<Step> stepsOf(const Surroundings &all, const Surroundings::Node &node)
-{
-    std::vector<Step> steps(all.path.begin(), all.path.begin() + static_cast<std::ptrdiff_t>(node.sharedSteps));
-    steps.insert(steps.end(), node.steps.begin(), node.steps.end());
-    return steps;
-}
-
-bool leadsTo(const Surroundings &all, const Surroundings::Node &node, std::size_t item,
-             const std::vector<std::uint32_t> &maps)
-{
-    const std::vector<Step> steps = stepsOf(all, node);
-    return node.item == item && !node.isMeshOnly && steps.size() <= maps.size()
-        && std::ranges::equal(steps, std::span(maps).first(steps.size()), {}, &Step::map);
-}
 
 OracleMap hereOf(const Border &border)
 {
@@ -217,6 +76,7 @@ double offNearHere(const Surroundings::Node &node, const OracleMap &map, const O
 
 }
 
+/// Surroundings have what is near on the other side of a border.
 class TestNeighbours : public QObject
 {
     Q_OBJECT
@@ -227,10 +87,6 @@ private Q_SLOTS:
     void nothingNearIsMissing_data();
     void nothingNearIsMissing();
     void itIsTheSameByAnyWay();
-    void picksAcrossNameTheOtherSide_data();
-    void picksAcrossNameTheOtherSide();
-    void placesCrossBorders_data();
-    void placesCrossBorders();
     void crowdsAreCutShort();
 };
 
@@ -382,123 +238,6 @@ void TestNeighbours::itIsTheSameByAnyWay()
             QVERIFY(off <= 1e-15 * glm::length(a.hereFromNode.linear[0]));
         }
     }
-}
-
-void TestNeighbours::picksAcrossNameTheOtherSide_data()
-{
-    QTest::addColumn<int>("depth");
-    for (const int depth : {20, 200, 1000}) {
-        QTest::addRow("%d", depth) << depth;
-    }
-}
-
-/// Rays from near the touching point to the middles of the copies at it: the four of the other side and those of this.
-void TestNeighbours::picksAcrossNameTheOtherSide()
-{
-    QFETCH(const int, depth);
-    for (const char *name : {"point", "items"}) {
-        const Border border = borderOf(QString::fromLatin1(name), static_cast<std::size_t>(depth));
-        const auto all = anchorAt(border).surroundings();
-        SceneRayWalk walk = SceneRayWalk::create(border.scene).value();
-        const FractalGraph &graph = border.scene->items[0].model->graph;
-        // The origin of here is in its ground's middle, below its top; the touching point is at its corner.
-        const glm::dvec3 corner =
-            (border.path.back() == 1 ? 1.0 : -1.0) * glm::dvec3(1, 0, 0) + glm::dvec3(0, 0, 0.57736);
-        for (const bool isAcross : {true, false}) {
-            for (std::uint32_t map = 0; map < 4; ++map) {
-                // the copy's middle, seen from the corner: from the other side the one beyond it
-                const AffineMap &step = graph.set(0).maps[map];
-                const glm::dvec3 middle = step(glm::dvec3(0, 0.4, 0));
-                const glm::dvec3 shift = isAcross ? 2.0 * glm::dvec3(corner.x, 0, 0) : glm::dvec3(0.0);
-                RayHit hit;
-                const glm::dvec3 origin = middle + shift + glm::dvec3(0, -8, 0);
-                walk.cast({.origin = origin, .direction = {0, 1, 0}, .width = 1e-3}, *all, hit);
-                QVERIFY(hit.isFound());
-                std::vector<Step> steps = stepsOf(*all, all->nodes[hit.root]);
-                steps.insert(steps.end(), hit.choices.begin(), hit.choices.end());
-                std::vector<std::uint32_t> maps;
-                std::ranges::transform(steps, std::back_inserter(maps), &Step::map);
-                QCOMPARE(all->nodes[hit.root].item, isAcross ? border.otherItem : std::size_t(0));
-                QVERIFY(maps.size() > border.path.size());
-                QVERIFY(std::ranges::equal(std::span(maps).first(border.path.size()),
-                                           isAcross ? border.other : border.path));
-                QCOMPARE(maps[border.path.size()], map);
-                QCOMPARE(walk.item(), all->nodes[hit.root].item);
-            }
-        }
-    }
-}
-
-void TestNeighbours::placesCrossBorders_data()
-{
-    QTest::addColumn<QString>("name");
-    QTest::addColumn<int>("depth");
-    for (const char *name : {"point", "items", "plane"}) {
-        for (const int depth : {5, 20, 60, 1000}) {
-            QTest::addRow("%s, %d", name, depth) << QString::fromLatin1(name) << depth;
-        }
-    }
-}
-
-/// To the other side and back, with a mark that is counted from the place: it comes back to where it was.
-void TestNeighbours::placesCrossBorders()
-{
-    QFETCH(const QString, name);
-    QFETCH(const int, depth);
-    const Border border = borderOf(name, static_cast<std::size_t>(depth));
-    Anchor anchor = anchorAt(border);
-    const auto there = anchor.surroundings();
-    const auto other = std::ranges::find_if(there->nodes, [&](const Surroundings::Node &node) {
-        return leadsTo(*there, node, border.otherItem, border.other);
-    });
-    QVERIFY(other != there->nodes.end());
-    AffineMap inside = other->hereFromNode;
-    for (std::size_t i = stepsOf(*there, *other).size(); i < border.other.size(); ++i) {
-        inside = inside * border.scene->items[0].model->graph.set(0).maps[border.other[i]];
-    }
-    const Sphere own = anchor.bound();
-    // far inside a part that does not touch the border
-    const std::vector<AffineMap> &parts = border.scene->items[0].model->graph.set(0).maps;
-    const auto within = [](AffineMap map, const AffineMap &part) {
-        for (int i = 0; i < 4; ++i) {
-            map = map * part;
-        }
-        return map(glm::dvec3(0.1, 0.2, 0.1));
-    };
-    const glm::dvec3 target = within(inside, parts.back());
-    const glm::dvec3 home = within({anchor.surroundings()->nodes.front().hereFromNode.linear, glm::dvec3(0.0)},
-                                   name == QLatin1String("plane") ? parts.front() : parts.back());
-    glm::dvec3 p = target;
-    glm::dvec3 mark = own.centre;
-    glm::dvec3 back = home;
-    const auto follow = [&] {
-        for (const Anchor::Move &move : anchor.follow(p, 0.0)) {
-            p = move(p);
-            mark = move(mark);
-            back = move(back);
-        }
-    };
-    const auto pathNow = [&] {
-        std::vector<std::uint32_t> maps;
-        const auto now = anchor.surroundings();
-        std::ranges::transform(now->path, std::back_inserter(maps), &Step::map);
-        return maps;
-    };
-    follow();
-    QCOMPARE(anchor.surroundings()->pathItem, border.otherItem);
-    std::vector<std::uint32_t> maps = pathNow();
-    QVERIFY(maps.size() >= border.other.size());
-    QVERIFY(std::ranges::equal(std::span(maps).first(border.other.size()), border.other));
-    p = back;
-    follow();
-    maps = pathNow();
-    QCOMPARE(anchor.surroundings()->pathItem, std::size_t(0));
-    QVERIFY(std::ranges::equal(std::span(maps).first(border.path.size()), border.path));
-    // up to the node that it was at
-    const double unit = std::exp2(there->unitExponent - anchor.surroundings()->unitExponent);
-    glm::dvec3 off = (mark - back) / unit - (own.centre - home);
-    QVERIFY2(glm::length(off) < 1e-6, qPrintable(QString::number(glm::length(off))));
-    QVERIFY(glm::distance(p, anchor.bound().centre) <= 4.0 * anchor.bound().radius);
 }
 
 /// Copies that lie within each other are four times as many at each level, and what does not shrink is divided without end.
