@@ -37,6 +37,14 @@ constexpr double roughnessStep = 4.0;
 
 constexpr auto wasReset = "The graphics driver was reset.";
 
+/// Of the picture that is shown, what balls are drawn over.
+struct BehindBalls {
+    GlTexture depths;
+    Projector projector;
+    std::shared_ptr<const Surroundings> surroundings;
+    bool isLit = true;
+};
+
 }
 
 /// A picture is made in passes, one for each sample: the cut is walked and drawn in chunks into `pass`, then the pass
@@ -399,13 +407,6 @@ private:
     std::size_t m_graphBytes = 0;
     DepthLooks m_looks;
     GLsync m_passFence = nullptr;
-    /// Of the picture that is shown, what balls are drawn over.
-    struct BehindBalls {
-        GlTexture depths;
-        Projector projector;
-        std::shared_ptr<const Surroundings> surroundings;
-        bool isLit = true;
-    };
     std::optional<BehindBalls> m_behindBalls;
     BallLayer m_balls;
     Target m_pass;

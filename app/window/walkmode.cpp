@@ -21,6 +21,8 @@ constexpr double timeOfWay = 1.0 / 60.0;
 /// Of the sphere, in distances of what is ahead; and of the scene where nothing is.
 constexpr double radiusOfDistance = 0.02;
 constexpr double shareOfScene = 0.25;
+/// Of the scene: what is farther is not looked for.
+constexpr double longestLook = 1e3;
 /// Of the scene: where the world's coordinates tell places no better there is no walking.
 constexpr double leastRadius = 1e-9;
 
@@ -120,16 +122,18 @@ void WalkMode::begin()
     }
     const glm::dvec3 size = m_scene->extent.size();
     const double whole = std::max({size.x, size.y, size.z, std::numeric_limits<double>::min()});
-    const auto ahead = view.pick({0.0, 0.0}, 1e-3);
-    m_pace = ahead ? ahead->distance * std::exp2(view.surroundings()->unitExponent) : shareOfScene * whole;
-    m_pace = std::min(m_pace, whole);
+    const glm::dvec3 eye = view.cameraInWorld().position;
+    Touch ahead;
+    m_surface->collider->search()->sweep(
+        {.p = eye, .v = m_viewport.camera().worldFromCamera[2], .time = longestLook * whole}, ahead);
+    m_pace = ahead.isFound() ? std::min(ahead.time, whole) : shareOfScene * whole;
     const double radius = radiusOfDistance * m_pace;
     if (!(radius > leastRadius * whole)) {
         stop();
         Q_EMIT ended(tr("It is too deep to walk here; fly instead."));
         return;
     }
-    m_walker.emplace(*m_surface, view.cameraInWorld().position, radius);
+    m_walker.emplace(*m_surface, eye, radius);
     setGravity(m_gravity);
 }
 

@@ -257,9 +257,6 @@ void TestPhysics::whoWalksEntersNothing()
     PhysicsSample sample;
     QVERIFY(sample.begin("c (0, 0, -8) # 60\no \"cube.obj\" #\n"));
     QVERIFY(QTest::qWaitFor([&] { return sample.viewport.isPictureFinished(); }, 60'000));
-    // the pace is a part of the way ahead, which is known once the mouse is there
-    QTest::mouseMove(&sample.viewport, sample.viewport.rect().center());
-    QVERIFY(QTest::qWaitFor([&] { return sample.viewport.view().hasRayWalk(); }, 60'000));
     const auto place = [&] { return sample.viewport.view().cameraInWorld().position; };
     sample.action(QStringLiteral("Gravity While Walking"))->setChecked(false);
     sample.press(Qt::Key_V);
