@@ -4,6 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <variant>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace romanesco {
 
@@ -12,6 +17,14 @@ namespace mp = boost::multiprecision;
 namespace {
 
 using Integer = mp::cpp_int;
+using Mantissa = mp::cpp_bin_float_50;
+
+/// mantissa * 10^exponent, with the mantissa in [1, 10).
+struct Approximate {
+    Mantissa mantissa;
+    Integer exponent;
+    bool operator==(const Approximate &) const = default;
+};
 
 /// floor(10,000 · log2(10)): an integer whose top bit lies below this one has at most 10,000 digits.
 constexpr unsigned exactBits = 33'219;
@@ -27,71 +40,23 @@ bool isTooLong(const Integer &value)
     return value >= limit;
 }
 
-}
-
-Count::Count(std::uint64_t value)
-    : m_value(Integer(value))
-{
-}
-
-bool Count::isExact() const
-{
-    return std::holds_alternative<Integer>(m_value);
-}
-
-bool Count::isZero() const
-{
-    const Integer *exact = std::get_if<Integer>(&m_value);
-    return exact && exact->is_zero();
-}
-
-std::optional<std::uint64_t> Count::toInteger() const
-{
-    const Integer *exact = std::get_if<Integer>(&m_value);
-    if (!exact || *exact > std::numeric_limits<std::uint64_t>::max()) {
-        return std::nullopt;
-    }
-    return static_cast<std::uint64_t>(*exact);
-}
-
-void Count::settle()
-{
-    if (isTooLong(std::get<Integer>(m_value))) {
-        m_value = approximate();
-    }
-}
-
-void Count::assignNormalised(Mantissa mantissa, Integer exponent)
+Approximate normalised(Mantissa mantissa, Integer exponent)
 {
     while (mantissa >= 10) {
         mantissa /= 10;
         ++exponent;
     }
-    m_value = Approximate{std::move(mantissa), std::move(exponent)};
+    return {std::move(mantissa), std::move(exponent)};
 }
 
-Count::Approximate Count::approximate() const
+Approximate rounded(const Integer &exact)
 {
-    if (const auto *already = std::get_if<Approximate>(&m_value)) {
-        return *already;
-    }
-    const Integer &exact = std::get<Integer>(m_value);
     const Integer exponent = exact.is_zero() ? Integer(0) : Integer(exact.str().size() - 1);
     return {Mantissa(exact) / mp::pow(Mantissa(10), static_cast<int>(exponent)), exponent};
 }
 
-Count &Count::operator+=(const Count &other)
+Approximate sum(Approximate large, Approximate small)
 {
-    if (isExact() && other.isExact()) {
-        std::get<Integer>(m_value) += std::get<Integer>(other.m_value);
-        settle();
-        return *this;
-    }
-    if (isZero() || other.isZero()) {
-        return isZero() ? *this = other : *this;
-    }
-    Approximate large = approximate();
-    Approximate small = other.approximate();
     if (large.exponent < small.exponent) {
         std::swap(large, small);
     }
@@ -101,32 +66,92 @@ Count &Count::operator+=(const Count &other)
     if (shift <= 60) {
         large.mantissa += small.mantissa / mp::pow(Mantissa(10), static_cast<int>(shift));
     }
-    assignNormalised(large.mantissa, large.exponent);
+    return normalised(large.mantissa, large.exponent);
+}
+
+}
+
+struct Count::Value : std::variant<Integer, Approximate> {
+    using variant::variant;
+
+    [[nodiscard]] static std::shared_ptr<const Value> of(Integer integer)
+    {
+        if (isTooLong(integer)) {
+            return std::make_shared<const Value>(rounded(integer));
+        }
+        return std::make_shared<const Value>(std::move(integer));
+    }
+    [[nodiscard]] static std::shared_ptr<const Value> of(Approximate approximate)
+    {
+        return std::make_shared<const Value>(std::move(approximate));
+    }
+
+    /// None where the value is approximate.
+    [[nodiscard]] const Integer *exact() const { return std::get_if<Integer>(this); }
+    [[nodiscard]] Approximate approximate() const { return exact() ? rounded(*exact()) : std::get<Approximate>(*this); }
+};
+
+Count::Count(std::uint64_t value)
+    : m_value(Value::of(Integer(value)))
+{
+}
+
+bool Count::isExact() const
+{
+    return m_value->exact();
+}
+
+bool Count::isZero() const
+{
+    return isExact() && m_value->exact()->is_zero();
+}
+
+std::optional<std::uint64_t> Count::toInteger() const
+{
+    const Integer *exact = m_value->exact();
+    if (!exact || *exact > std::numeric_limits<std::uint64_t>::max()) {
+        return std::nullopt;
+    }
+    return static_cast<std::uint64_t>(*exact);
+}
+
+Count &Count::operator+=(const Count &other)
+{
+    if (isExact() && other.isExact()) {
+        m_value = Value::of(*m_value->exact() + *other.m_value->exact());
+    } else if (isZero()) {
+        *this = other;
+    } else if (!other.isZero()) {
+        m_value = Value::of(sum(m_value->approximate(), other.m_value->approximate()));
+    }
     return *this;
 }
 
 Count &Count::operator*=(const Count &other)
 {
     if (isZero() || other.isZero()) {
-        return *this = Count(0);
+        *this = Count(0);
+    } else if (isExact() && other.isExact()) {
+        m_value = Value::of(*m_value->exact() * *other.m_value->exact());
+    } else {
+        const Approximate a = m_value->approximate();
+        const Approximate b = other.m_value->approximate();
+        m_value = Value::of(normalised(a.mantissa * b.mantissa, a.exponent + b.exponent));
     }
-    if (isExact() && other.isExact()) {
-        std::get<Integer>(m_value) *= std::get<Integer>(other.m_value);
-        settle();
-        return *this;
-    }
-    const Approximate a = approximate();
-    const Approximate b = other.approximate();
-    assignNormalised(a.mantissa * b.mantissa, a.exponent + b.exponent);
     return *this;
+}
+
+bool operator==(const Count &a, const Count &b)
+{
+    return *a.m_value == *b.m_value;
 }
 
 std::string Count::toString() const
 {
-    if (const auto *exact = std::get_if<Integer>(&m_value)) {
+    if (const Integer *exact = m_value->exact()) {
         return exact->str();
     }
-    const auto &[mantissa, exponent] = std::get<Approximate>(m_value);
+    const auto [mantissa, exponent] = m_value->approximate();
     Integer hundredths(mp::round(mantissa * 100));
     Integer shown = exponent;
     if (hundredths >= 1000) {
@@ -142,7 +167,7 @@ double Count::log10() const
     if (isZero()) {
         return -std::numeric_limits<double>::infinity();
     }
-    const auto [mantissa, exponent] = approximate();
+    const auto [mantissa, exponent] = m_value->approximate();
     return static_cast<double>(mp::log10(mantissa)) + static_cast<double>(exponent);
 }
 

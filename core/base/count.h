@@ -3,18 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
-
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/cpp_int.hpp>
 
 namespace romanesco {
 
 /// A natural number of any size: exact up to 10,000 decimal digits, beyond that a mantissa of 50 digits and an
 /// exponent of ten. Sums and products of exact values are exact while they fit; once a value is approximate, so is
-/// all that is made of it. Values only; thread-safe as values are.
+/// all that is made of it. Values only; thread-safe as values are. A copy costs nothing: what is large is shared, and never
+/// changed.
 class Count
 {
 public:
@@ -38,24 +36,13 @@ public:
     Count &operator*=(const Count &other);
     friend Count operator+(Count a, const Count &b) { return a += b; }
     friend Count operator*(Count a, const Count &b) { return a *= b; }
-    friend bool operator==(const Count &a, const Count &b) { return a.m_value == b.m_value; }
+    friend bool operator==(const Count &a, const Count &b);
 
 private:
-    using Integer = boost::multiprecision::cpp_int;
-    using Mantissa = boost::multiprecision::cpp_bin_float_50;
+    /// Its types are large headers, which who counts need not read.
+    struct Value;
 
-    /// mantissa * 10^exponent, with the mantissa in [1, 10).
-    struct Approximate {
-        Mantissa mantissa;
-        Integer exponent;
-        bool operator==(const Approximate &) const = default;
-    };
-
-    [[nodiscard]] Approximate approximate() const;
-    void assignNormalised(Mantissa mantissa, Integer exponent);
-    void settle();
-
-    std::variant<Integer, Approximate> m_value;
+    std::shared_ptr<const Value> m_value;
 };
 
 /// base to the power of exponent, by squaring: at most 128 products.

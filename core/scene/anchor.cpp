@@ -12,6 +12,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "neighbours.h"
+
 namespace romanesco {
 
 namespace {

@@ -7,10 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "neighbours.h"
 #include "sceneplace.h"
+#include "surroundings.h"
+#include "waylevel.h"
 
 namespace romanesco {
+
+class Neighbours;
 
 /// A place in a scene that coordinates are counted from, so that what is near it keeps its precision however deep it lies
 /// (world coordinates end where copies are 1e-16 of the whole). It is the world's origin, or that of a node of an item's
