@@ -24,6 +24,8 @@ constexpr int mostPushes = 8;
 /// Of the skin: what a ball in a gap that is too narrow for it may sink in before it touches again.
 constexpr double squeeze = 1e-4;
 constexpr double mostTilt = 1e-3;
+/// Of a time: to turn sooner is not told from rounding, and would be done again and again.
+constexpr double leastTurn = 1e-9;
 
 }
 
@@ -141,6 +143,15 @@ void BallStep::pushOut()
     if (won > 0.0) {
         m_ball.velocity = withEnergy(m_ball.velocity, glm::dot(m_ball.velocity, m_ball.velocity) - 2.0 * won);
     }
+}
+
+double timeForward(const glm::dvec3 &v, const glm::dvec3 &acceleration, double time)
+{
+    const double pull = glm::dot(v, acceleration);
+    const glm::dvec3 along = v + 0.5 * time * acceleration;
+    const bool turns = pull < 0.0 && (glm::dot(v, along) < 0.0 || glm::dot(v + time * acceleration, along) < 0.0);
+    const double turn = turns ? -pull / glm::dot(acceleration, acceleration) : time;
+    return turn > leastTurn * time ? std::min(time, turn) : time;
 }
 
 glm::dvec3 withEnergy(const glm::dvec3 &v, double squaredSpeed)

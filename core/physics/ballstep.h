@@ -142,6 +142,10 @@ private:
     bool m_isMeasured = false;
 };
 
+/// Until a ball that goes at v under an acceleration would go back the way it came, at most a time; all of it where it as good
+/// as turns now.
+[[nodiscard]] double timeForward(const glm::dvec3 &v, const glm::dvec3 &acceleration, double time);
+
 /// v with its length changed for what gravity did on a way beside the one that v was computed for: no energy is won. What is
 /// too slow for that stops.
 [[nodiscard]] glm::dvec3 withEnergy(const glm::dvec3 &v, double squaredSpeed);

@@ -58,15 +58,6 @@ Chord chordOf(const glm::dvec3 &v, const glm::dvec3 &a, double time)
     return chord;
 }
 
-/// Until the ball would go back along its chord.
-double timeForward(const glm::dvec3 &v, const glm::dvec3 &a, double time)
-{
-    const double pull = glm::dot(v, a);
-    const glm::dvec3 along = v + 0.5 * time * a;
-    const bool turns = pull < 0.0 && (glm::dot(v, along) < 0.0 || glm::dot(v + time * a, along) < 0.0);
-    return turns ? std::min(time, -pull / glm::dot(a, a)) : time;
-}
-
 /// When the ball is so far along its chord.
 double timeAlong(const Chord &chord, const glm::dvec3 &v, const glm::dvec3 &a, double way)
 {

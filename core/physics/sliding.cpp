@@ -72,21 +72,11 @@ private:
         return m_pull == glm::dvec3(0.0) && glm::length(m_ball.velocity) <= m_step.still();
     }
 
-    /// Until the ball would go back the way it came.
-    [[nodiscard]] double timeForward() const
-    {
-        const double against = glm::dot(m_ball.velocity, m_pull);
-        const double time = m_step.left();
-        const glm::dvec3 along = m_ball.velocity + 0.5 * time * m_pull;
-        const bool turns = against < 0.0
-            && (glm::dot(m_ball.velocity, along) < 0.0 || glm::dot(m_ball.velocity + time * m_pull, along) < 0.0);
-        return turns ? std::min(time, -against / glm::dot(m_pull, m_pull)) : time;
-    }
-
     /// The next stretch, shorter where the surface falls away below a long one. Whether that was of any use.
     bool goOn()
     {
-        for (double time = std::min(timeForward(), m_longest);; time *= shorter) {
+        double time = std::min(timeForward(m_ball.velocity, m_pull, m_step.left()), m_longest);
+        for (;; time *= shorter) {
             const glm::dvec3 way = time * m_ball.velocity + (0.5 * time * time) * m_pull;
             const double length = glm::length(way);
             const double stand = standOff * std::min(m_step.room(), m_step.skin());

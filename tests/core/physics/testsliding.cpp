@@ -22,6 +22,7 @@ private Q_SLOTS:
     void anEdgeAheadDoesNotBump();
     void aWallIsSlidAlong();
     void alongAGrooveItIsTheClosedForm();
+    void aMotionThatIsRoundingDoesNotTurn();
     void anEdgeLetsItFall();
     void roundABowlEnergyIsKept();
     void fastBallsSlideInFewQueries();
@@ -196,6 +197,25 @@ void TestSliding::alongAGrooveItIsTheClosedForm()
             QVERIFY2(off < 2e-4 * radius, qPrintable(QStringLiteral("step %1: %2").arg(step).arg(off)));
         }
         QVERIFY(ball.supports.count() == 2);
+    }
+}
+
+/// What goes across the pull but for its last digits would turn again and again, and no time would go by.
+void TestSliding::aMotionThatIsRoundingDoesNotTurn()
+{
+    std::mt19937_64 random(seed(40));
+    for (int i = 0; i < 1'000; ++i) {
+        const glm::dvec3 pull = 9.8 * randomPoint(random, 1.0);
+        glm::dvec3 v = std::pow(10.0, uniform(random, -30, -16)) * glm::cross(randomPoint(random, 1.0), pull);
+        double left = 1.0 / 240.0;
+        int turns = 0;
+        for (; left > 0.0 && turns < 10; ++turns) {
+            const double time = timeForward(v, pull, left);
+            v += time * pull;
+            left -= time;
+        }
+        QVERIFY2(left <= 0.0, qPrintable(QString::number(left)));
+        QVERIFY(turns <= 3);
     }
 }
 
